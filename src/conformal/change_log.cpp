@@ -1,0 +1,100 @@
+#include "conformal/change_log.h"
+
+#include <algorithm>
+
+namespace ucvt {
+namespace {
+
+std::size_t slot(Halfedge h) {
+  return static_cast<std::size_t>(h.id % 3);
+}
+
+void place(HomogeneousPoint& p, Halfedge a, double wa, Halfedge b, double wb, Halfedge c,
+           double wc) {
+  p.face = a.face();
+  p.weight[slot(a)] = wa, p.weight[slot(b)] = wb, p.weight[slot(c)] = wc;
+  // Ratios count; keep them in range over many thousands of changes.
+  const double sum = wa + wb + wc;
+  for (double& w : p.weight) {
+    w /= sum;
+  }
+}
+
+void undo_flip(const Change& c, HomogeneousPoint& p) {
+  const Halfedge hn = c.h.next(), hp = c.h.prev(), tn = c.t.next(), tp = c.t.prev();
+  double wi = 0, wj = 0, wk = 0, wm = 0;
+  if (p.face == c.h.face()) {
+    wm = p.weight[slot(c.h)], wk = p.weight[slot(hn)], wi = p.weight[slot(hp)];
+  } else {
+    wk = p.weight[slot(c.t)], wm = p.weight[slot(tn)], wj = p.weight[slot(tp)];
+  }
+  // Trade k and m for i and j until one of the two is used up.
+  const bool use_up_m = wm * c.k <= wk * c.m;
+  const double used = use_up_m ? wm : wk, rate = use_up_m ? c.m : c.k;
+  const double traded = rate > 0 ? used / rate : 0;
+  wi += traded * c.i, wj += traded * c.j;
+  if (use_up_m) {
+    place(p, c.h, wi, hn, wj, hp, std::max(0.0, wk - traded * c.k));
+  } else {
+    place(p, c.t, wj, tn, wi, tp, std::max(0.0, wm - traded * c.m));
+  }
+}
+
+void undo_split(const Change& c, HomogeneousPoint& p) {
+  const Halfedge hn = c.h.next(), hp = c.h.prev(), tn = c.t.next(), tp = c.t.prev();
+  const auto w = p.weight;
+  if (p.face == c.h.face()) {
+    const double n = w[slot(hn)] / 2;
+    place(p, c.h, w[slot(c.h)] + n, hn, n, hp, w[slot(hp)]);
+  } else if (p.face == c.t.face()) {
+    const double n = w[slot(c.t)] / 2;
+    place(p, c.t, n, tn, w[slot(tn)] + n, tp, w[slot(tp)]);
+  } else if (p.face == c.added) {
+    place(p, c.h, w[0] / 2, hn, w[1] + w[0] / 2, hp, w[2]);
+  } else {
+    place(p, c.t, w[0] + w[1] / 2, tn, w[1] / 2, tp, w[2]);
+  }
+}
+
+}  // namespace
+
+void ChangeLog::undo(std::vector<HomogeneousPoint>& points) const {
+  std::int32_t faces = 0;
+  for (const HomogeneousPoint& p : points) {
+    faces = std::max(faces, p.face.id + 1);
+  }
+  for (const Change& c : changes_) {
+    faces = std::max({faces, c.h.face().id + 1, c.t.face().id + 1, c.added.id + 2});
+  }
+  // Points by face, as chains: first[f] and next[point].
+  std::vector<std::int32_t> first(static_cast<std::size_t>(faces), -1), next(points.size());
+  const auto link = [&](std::size_t p) {
+    next[p] = first[points[p].face.index()];
+    first[points[p].face.index()] = static_cast<std::int32_t>(p);
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    link(p);
+  }
+  std::vector<std::size_t> here;
+  for (auto c = changes_.rbegin(); c != changes_.rend(); ++c) {
+    here.clear();
+    const auto take = [&](Face f) {
+      for (std::int32_t p = first[f.index()]; p >= 0; p = next[static_cast<std::size_t>(p)]) {
+        here.push_back(static_cast<std::size_t>(p));
+      }
+      first[f.index()] = -1;
+    };
+    take(c->h.face());
+    take(c->t.face());
+    if (c->added.id >= 0) {
+      take(c->added);
+      take({c->added.id + 1});
+    }
+    for (const std::size_t p : here) {
+      c->added.id < 0 ? undo_flip(*c, points[p]) : undo_split(*c, points[p]);
+      link(p);
+    }
+  }
+}
+
+}  // namespace ucvt

@@ -1,0 +1,299 @@
+#include "conformal/metric_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "conformal/sparse_solver.h"
+#include "space/moments.h"
+
+namespace ucvt {
+namespace {
+
+/// Ptolemy flips happen only past this sum of doubled cosines.
+constexpr double delaunay_tolerance = 1e-11;
+
+constexpr int max_halvings = 40;
+
+}  // namespace
+
+MetricSolver::MetricSolver(Space space, IntrinsicTriangulation& t, std::vector<double>& u,
+                           std::vector<VertexRole> role)
+    : space_(space), t_(t), u_(u), role_(std::move(role)), half_(t.log_length.size()) {}
+
+bool MetricSolver::has_geometry(Face f) const {
+  return std::ranges::none_of(halfedges(f), [&](Halfedge h) {
+    return role_[t_.connectivity.origin(h).index()] == VertexRole::puncture;
+  });
+}
+
+double MetricSolver::half_chord(Halfedge h) const {
+  const double ui = u_[t_.connectivity.origin(h).index()];
+  const double uj = u_[t_.connectivity.head(h).index()];
+  return std::exp(t_.log_length[h.index()] + (ui + uj) / 2) / 2;
+}
+
+bool MetricSolver::should_flip(Halfedge h) const {
+  const Halfedge twin = t_.connectivity.twin(h);
+  if (twin.face() == h.face()) {
+    return false;
+  }
+  // Twice the cosine of the angle opposite to the edge, in chords: the Delaunay condition of all
+  // three geometries is that the two sum to no less than 0. At an infinitely far puncture it is 2.
+  const auto doubled_cosine = [&](Halfedge g) {
+    if (!has_geometry(g.face())) {
+      return 2.0;
+    }
+    const double a = half_[g.next().index()], b = half_[g.prev().index()], c = half_[g.index()];
+    return a / b + b / a - (c / a) * (c / b);
+  };
+  const auto at_puncture = [&](Vertex v) { return role_[v.index()] == VertexRole::puncture; };
+  if (at_puncture(t_.connectivity.origin(h)) || at_puncture(t_.connectivity.head(h))) {
+    return false;
+  }
+  return doubled_cosine(h) + doubled_cosine(twin) < -delaunay_tolerance;
+}
+
+void MetricSolver::flip_to_delaunay() {
+  const Connectivity& c = t_.connectivity;
+  for (std::size_t i = 0; i < half_.size(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    if (c.is_canonical(h)) {
+      half_[i] = half_[c.twin(h).index()] = half_chord(h);
+    }
+  }
+  for (std::size_t i = 0; i < half_.size(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    if (c.is_canonical(h)) {
+      flip_from(h);
+    }
+  }
+}
+
+void MetricSolver::flip_from(Halfedge first) {
+  const Connectivity& c = t_.connectivity;
+  std::vector<Halfedge>& stack = stack_;
+  stack.assign(1, first);
+  while (!stack.empty()) {
+    const Halfedge h = stack.back();
+    stack.pop_back();
+    if (!should_flip(h)) {
+      continue;
+    }
+    const Halfedge twin = c.twin(h);
+    const double jk = half_[h.next().index()], ki = half_[h.prev().index()];
+    const double im = half_[twin.next().index()], mj = half_[twin.prev().index()];
+    ptolemy_flip(t_, h);
+    half_[h.next().index()] = ki, half_[h.prev().index()] = im;
+    half_[twin.next().index()] = mj, half_[twin.prev().index()] = jk;
+    half_[h.index()] = half_[twin.index()] = half_chord(h);
+    stack.insert(stack.end(), {h.next(), h.prev(), twin.next(), twin.prev()});
+    for (const Halfedge out : {h, twin}) {
+      if (role_[c.origin(out).index()] == VertexRole::puncture) {
+        pin(out, stack);
+      }
+    }
+  }
+}
+
+void MetricSolver::pin(Halfedge from_puncture, std::vector<Halfedge>& changed) {
+  const Vertex v = t_.connectivity.head(from_puncture);
+  if (role_[v.index()] != VertexRole::solved) {
+    link_is_simple_ = false;
+    return;
+  }
+  role_[v.index()] = VertexRole::held;
+  u_[v.index()] = pin_ - 2 * t_.log_length[from_puncture.index()];
+  ++pins_;
+  t_.connectivity.for_outgoing(v, [&](Halfedge h) {
+    half_[h.index()] = half_[t_.connectivity.twin(h).index()] = half_chord(h);
+    changed.push_back(h);
+    changed.push_back(h.next());
+  });
+}
+
+bool MetricSolver::face_angles(Face f, FaceAngles& out) const {
+  const auto side = halfedges(f);
+  std::array<double, 3> x{}, beta{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = half_[side[i].index()];
+  }
+  // S^2 = 16 Area^2 [+ 4 a^2 b^2 c^2] of half chords is a quarter of the chords' determinant squared.
+  const double S = triangle_determinant(space_, {2 * x[0], 2 * x[1], 2 * x[2]}) / 2;
+  if (!(S > 0)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a = x[(i + 1) % 3], b = x[(i + 2) % 3], c = x[i];
+    const double cosine = a * a + (b - c) * (b + c);
+    beta[i] = std::atan2(S, cosine);
+    out.cot[i] = cosine / S;
+    out.t2[i] = space_.kappa < 0 ? c * c / (1 + c * c) : 0;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.angle[i] = std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
+  }
+  return true;
+}
+
+bool MetricSolver::evaluate() {
+  if (!std::ranges::all_of(u_, [](double x) { return std::isfinite(x); })) {
+    return false;
+  }
+  flip_to_delaunay();
+  if (!link_is_simple_) {
+    return false;
+  }
+  angle_sum_.assign(u_.size(), 0);
+  FaceAngles a;
+  for (std::size_t f = 0; f < t_.connectivity.face_count(); ++f) {
+    const Face face{static_cast<std::int32_t>(f)};
+    if (!has_geometry(face)) {
+      continue;
+    }
+    if (!face_angles(face, a)) {
+      return false;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      // angle[i] is opposite to side i, at the origin of the side before it.
+      const Halfedge opposite = halfedges(face)[i].prev();
+      angle_sum_[t_.connectivity.origin(opposite).index()] += a.angle[i];
+    }
+  }
+  gradient_.assign(u_.size(), 0);
+  for (std::size_t v = 0; v < u_.size(); ++v) {
+    if (role_[v] == VertexRole::solved) {
+      gradient_[v] = 2 * std::numbers::pi - angle_sum_[v];
+    }
+  }
+  return true;
+}
+
+const std::vector<double>& MetricSolver::angle_sums() {
+  evaluate();
+  return angle_sum_;
+}
+
+bool MetricSolver::newton_direction(std::vector<double>& direction) {
+  std::vector<std::int32_t> number(u_.size(), -1);
+  std::int32_t unknowns = 0;
+  for (std::size_t v = 0; v < u_.size(); ++v) {
+    if (role_[v] == VertexRole::solved) {
+      number[v] = unknowns++;
+    }
+  }
+  SymmetricEntries entries(unknowns);
+  FaceAngles a;
+  for (std::size_t f = 0; f < t_.connectivity.face_count(); ++f) {
+    const Face face{static_cast<std::int32_t>(f)};
+    if (!has_geometry(face)) {
+      continue;
+    }
+    face_angles(face, a);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Halfedge h = halfedges(face)[i];
+      const auto p = number[t_.connectivity.origin(h).index()];
+      const auto q = number[t_.connectivity.head(h).index()];
+      const double half_cot = a.cot[i] / 2;
+      entries.add(p, p, half_cot * (1 + a.t2[i]));
+      entries.add(q, q, half_cot * (1 + a.t2[i]));
+      // A loop's two ends are one unknown: both off-diagonal entries fall on the diagonal.
+      entries.add(p, q, half_cot * (a.t2[i] - 1) * (p == q ? 2 : 1));
+    }
+  }
+  std::vector<double> right(static_cast<std::size_t>(unknowns));
+  for (std::size_t v = 0; v < u_.size(); ++v) {
+    if (number[v] >= 0) {
+      right[static_cast<std::size_t>(number[v])] = -gradient_[v];
+    }
+  }
+  std::vector<double> solution;
+  if (!solve_symmetric(entries, right, solution)) {
+    return false;
+  }
+  direction.assign(u_.size(), 0);
+  for (std::size_t v = 0; v < u_.size(); ++v) {
+    if (number[v] >= 0) {
+      direction[v] = solution[static_cast<std::size_t>(number[v])];
+    }
+  }
+  return true;
+}
+
+double MetricSolver::slope(const std::vector<double>& direction) const {
+  double sum = 0;
+  for (std::size_t v = 0; v < direction.size(); ++v) {
+    sum += direction[v] * gradient_[v];
+  }
+  return sum;
+}
+
+double MetricSolver::gradient_max() const {
+  double worst = 0;
+  for (const double g : gradient_) {
+    worst = std::max(worst, std::abs(g));
+  }
+  return worst;
+}
+
+double MetricSolver::gradient_norm2() const {
+  double sum = 0;
+  for (const double g : gradient_) {
+    sum += g * g;
+  }
+  return sum;
+}
+
+MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watch& watch) {
+  Result out;
+  if (!evaluate()) {
+    return out;
+  }
+  out.max_angle_error = gradient_max();
+  std::vector<double> direction;
+  while (out.max_angle_error > 1e-13 && out.iterations < limit) {
+    if (!newton_direction(direction)) {
+      break;
+    }
+    const std::vector<double> start = u_;
+    const double slope0 = std::abs(slope(direction)), norm0 = gradient_norm2();
+    const double error0 = out.max_angle_error;
+    double step = 1;
+    bool accepted = false;
+    const int pins = pins_;
+    for (int halving = 0; halving < max_halvings && !accepted; ++halving, step /= 2) {
+      for (std::size_t v = 0; v < u_.size(); ++v) {
+        u_[v] = start[v] + step * direction[v];
+      }
+      if (!evaluate()) {
+        if (pins_ != pins || !link_is_simple_) {
+          return out;
+        }
+        continue;
+      }
+      const double s = slope(direction);
+      // A vertex that came to the puncture's link changes the problem: go on from there.
+      accepted = pins_ != pins || (s <= slope0 / 2 && (s <= 0 || gradient_norm2() < norm0));
+    }
+    if (!accepted || (pins_ == pins && error0 < tolerance && gradient_max() >= error0)) {
+      // Rounding has the last word: keep the better of the two.
+      u_ = start;
+      evaluate();
+      out.max_angle_error = gradient_max();
+      break;
+    }
+    out.max_angle_error = gradient_max();
+    ++out.iterations;
+    if (watch && !watch(out.iterations, out.max_angle_error)) {
+      break;
+    }
+    if (out.max_angle_error < tolerance / 10) {
+      break;
+    }
+  }
+  out.converged = out.max_angle_error <= tolerance;
+  return out;
+}
+
+}  // namespace ucvt

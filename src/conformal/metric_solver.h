@@ -1,0 +1,86 @@
+// Newton's method for the discrete uniformization energy, with Ptolemy flips on the way.
+//
+// Unknowns are log scale factors u at the vertices: chords are l_ij exp((u_i + u_j)/2) with fixed
+// Penner coordinates l. The energy whose gradient is 2 pi - (angle sum) is convex and twice
+// continuously differentiable once every metric is looked at in its Delaunay triangulation
+// (Bobenko, Pinkall, Springborn 2015; Gu, Guo, Luo, Sun, Wu 2018; Springborn 2019).
+// docs/uniformization.md has the formulas. Flat and hyperbolic metrics share one code path.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "conformal/intrinsic_triangulation.h"
+#include "space/offset.h"
+
+namespace ucvt {
+
+/// What a face or vertex means to the solver: a vertex can be solved for, held, or be the puncture,
+/// whose star has no geometry.
+enum class VertexRole : char { solved, held, puncture };
+
+class MetricSolver {
+ public:
+  /// Solves on `t` (Delaunay already), starting from `u`. kappa 0 or -1. Both are changed in place.
+  MetricSolver(Space space, IntrinsicTriangulation& t, std::vector<double>& u,
+               std::vector<VertexRole> role);
+
+  struct Result {
+    int iterations = 0;
+    double max_angle_error = 0;  ///< radians, over solved vertices
+    bool converged = false;
+  };
+
+  /// Called after each step with the iteration and the angle error; returning false stops.
+  using Watch = std::function<bool(int, double)>;
+
+  /// Newton steps until the angle error is below `tolerance` and no longer falls, or `limit` steps.
+  Result solve(double tolerance, int limit, const Watch& watch);
+
+  /// Flips every edge that is not Delaunay at the present u; edges at the puncture stay, edges
+  /// opposite to it flip when the face behind them would break the triangle inequality.
+  void flip_to_delaunay();
+
+  /// Angle sums at the present u over the faces that have geometry, in radians.
+  [[nodiscard]] const std::vector<double>& angle_sums();
+
+  /// The punctured plane's form of the problem: log scales at the puncture's link are held at
+  /// `pin` - 2 log l, l the length from the puncture. A vertex that flips bring into the link is
+  /// pinned there and then.
+  void set_pin(double pin) { pin_ = pin; }
+  void set_role(Vertex v, VertexRole role) { role_[v.index()] = role; }
+  /// False once some vertex has two edges to the puncture: the caller must try another puncture.
+  [[nodiscard]] bool link_is_simple() const { return link_is_simple_; }
+
+ private:
+  struct FaceAngles {
+    double cot[3], t2[3], angle[3];
+  };
+  [[nodiscard]] bool has_geometry(Face f) const;
+  [[nodiscard]] double half_chord(Halfedge h) const;
+  [[nodiscard]] bool should_flip(Halfedge h) const;
+  void flip_from(Halfedge first);
+  void pin(Halfedge from_puncture, std::vector<Halfedge>& changed);
+  /// False when the face has collapsed.
+  bool face_angles(Face f, FaceAngles& out) const;
+  /// Refreshes chords, flips, angles and the gradient at the present u; false when out of range.
+  bool evaluate();
+  bool newton_direction(std::vector<double>& direction);
+  [[nodiscard]] double slope(const std::vector<double>& direction) const;
+  [[nodiscard]] double gradient_max() const;
+  [[nodiscard]] double gradient_norm2() const;
+
+  Space space_;
+  IntrinsicTriangulation& t_;
+  std::vector<double>& u_;
+  std::vector<VertexRole> role_;
+  std::vector<double> half_;      ///< half chords by halfedge, at the present u
+  std::vector<double> gradient_;  ///< 2 pi - angle sum of solved vertices, 0 elsewhere
+  std::vector<double> angle_sum_;
+  std::vector<Halfedge> stack_;
+  double pin_ = 0;
+  int pins_ = 0;
+  bool link_is_simple_ = true;
+};
+
+}  // namespace ucvt

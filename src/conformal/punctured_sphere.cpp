@@ -1,0 +1,245 @@
+#include "conformal/punctured_sphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "conformal/moebius_balance.h"
+#include "conformal/plane_layout.h"
+
+namespace ucvt {
+namespace {
+
+/// Punctures tried before giving up, rounds of changes to the link for each, and the angle by which
+/// a link vertex must turn inwards before it is let go.
+constexpr int max_punctures = 64, max_rounds = 100;
+constexpr double reflex_tolerance = 1e-9;
+
+/// Least angle sum below pi opposite to the edges of a vertex' star, or nothing when the star
+/// touches itself: how safely Delaunay the star is.
+std::optional<double> star_safety(const IntrinsicTriangulation& t, Vertex v) {
+  const Connectivity& c = t.connectivity;
+  std::vector<Vertex> link;
+  double safety = 4;
+  const auto doubled_cosine = [&](Halfedge h) {
+    const double a = t.log_length[h.next().index()], b = t.log_length[h.prev().index()];
+    return std::exp(a - b) + std::exp(b - a) - std::exp(2 * t.log_length[h.index()] - a - b);
+  };
+  c.for_outgoing(v, [&](Halfedge h) {
+    link.push_back(c.head(h));
+    safety = std::min(safety, doubled_cosine(h) + doubled_cosine(c.twin(h)));
+  });
+  std::sort(link.begin(), link.end());
+  const bool simple = std::adjacent_find(link.begin(), link.end()) == link.end() &&
+                      !std::binary_search(link.begin(), link.end(), v) && link.size() >= 3;
+  if (!simple) {
+    return std::nullopt;
+  }
+  return safety;
+}
+
+std::vector<Vertex> punctures_by_safety(const IntrinsicTriangulation& t) {
+  std::vector<std::pair<double, Vertex>> ranked;
+  for (std::size_t v = 0; v < t.connectivity.vertex_count(); ++v) {
+    const Vertex vertex{static_cast<std::int32_t>(v)};
+    if (const auto safety = star_safety(t, vertex)) {
+      ranked.push_back({-*safety, vertex});
+    }
+  }
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<Vertex> out;
+  for (const auto& [safety, v] : ranked) {
+    out.push_back(v);
+  }
+  return out;
+}
+
+/// The flat metric of the plane for one puncture.
+class PuncturedPlane {
+ public:
+  PuncturedPlane(IntrinsicTriangulation& t, std::vector<double>& u, Vertex puncture)
+      : t_(t), u_(u), puncture_(puncture), solver_(Space{0}, t, u, roles()) {
+    double mean = 0;
+    int degree = 0;
+    t_.connectivity.for_outgoing(puncture_, [&](Halfedge h) {
+      mean += 2 * t_.log_length[h.index()];
+      ++degree;
+    });
+    pin_ = mean / degree;
+    solver_.set_pin(pin_);
+    t_.connectivity.for_outgoing(puncture_, [&](Halfedge h) { hold(h); });
+  }
+
+  MetricSolver::Result solve(const MetricSolver::Watch& watch) {
+    MetricSolver::Result total;
+    for (int round = 0; round < max_rounds; ++round) {
+      const auto result = solver_.solve(1e-11, 100, watch);
+      total.iterations += result.iterations;
+      total.max_angle_error = result.max_angle_error;
+      if (!solver_.link_is_simple() || result.max_angle_error > 1e-10) {
+        return total;
+      }
+      if (!release_reflex()) {
+        total.converged = true;
+        return total;
+      }
+    }
+    return total;
+  }
+
+  [[nodiscard]] double pin() const { return pin_; }
+
+ private:
+  [[nodiscard]] std::vector<VertexRole> roles() const {
+    std::vector<VertexRole> role(t_.connectivity.vertex_count(), VertexRole::solved);
+    role[puncture_.index()] = VertexRole::puncture;
+    t_.connectivity.for_outgoing(
+        puncture_, [&](Halfedge h) { role[t_.connectivity.head(h).index()] = VertexRole::held; });
+    return role;
+  }
+
+  void hold(Halfedge from_puncture) {
+    const Vertex v = t_.connectivity.head(from_puncture);
+    u_[v.index()] = pin_ - 2 * t_.log_length[from_puncture.index()];
+  }
+
+  /// Lets link vertices go where the polygon is not convex; true when there were any.
+  bool release_reflex() {
+    const std::vector<double> angle = solver_.angle_sums();
+    const Connectivity& c = t_.connectivity;
+    std::vector<Halfedge> reflex;
+    int degree = 0;
+    c.for_outgoing(puncture_, [&](Halfedge h) {
+      ++degree;
+      const double excess = angle[c.head(h).index()] - std::numbers::pi;
+      // Neighbours wait for the next round: their own angles change.
+      const bool after_another = !reflex.empty() && c.rotate(reflex.back()) == h;
+      if (excess > reflex_tolerance && !after_another) {
+        reflex.push_back(h);
+      }
+    });
+    bool any = false;
+    for (const Halfedge h : reflex) {
+      if (degree-- <= 3) {
+        break;
+      }
+      const Vertex v = c.head(h);
+      const double excess = angle[v.index()] - std::numbers::pi;
+      ptolemy_flip(t_, h);
+      solver_.set_role(v, VertexRole::solved);
+      // The new triangle is flat as yet; give it room.
+      u_[v.index()] += std::clamp(excess / 2, 1e-6, 0.2);
+      any = true;
+    }
+    return any;
+  }
+
+  IntrinsicTriangulation& t_;
+  std::vector<double>& u_;
+  Vertex puncture_;
+  MetricSolver solver_;
+  double pin_ = 0;
+};
+
+Vertex nearest(const std::vector<PlanePoint>& p, Vertex puncture, const StereographicFrame& to) {
+  Vertex best;
+  double least = HUGE_VAL;
+  for (std::size_t v = 0; v < p.size(); ++v) {
+    const double d = std::hypot(p[v].x - to.centre.x, p[v].y - to.centre.y);
+    if (v != puncture.index() && d < least) {
+      least = d, best = {static_cast<std::int32_t>(v)};
+    }
+  }
+  return best;
+}
+
+/// A scale that separates the nearer half of the weight about `root` from the rest.
+double median_distance(const std::vector<PlanePoint>& p, const std::vector<double>& weight,
+                       Vertex puncture) {
+  std::vector<std::pair<double, double>> by_distance;
+  double total = 0;
+  for (std::size_t v = 0; v < p.size(); ++v) {
+    if (v == puncture.index()) {
+      continue;
+    }
+    by_distance.push_back({std::hypot(p[v].x, p[v].y), weight[v]});
+    total += weight[v];
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  double sum = 0;
+  for (const auto& [d, w] : by_distance) {
+    if ((sum += w) >= total / 2 && d > 0) {
+      return d;
+    }
+  }
+  return by_distance.back().first;
+}
+
+/// Lays the plane out about the barycentre and moves the log scales onto the sphere.
+void wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u, Vertex puncture,
+                      double pin, const std::vector<double>& weight) {
+  // Positions are accurate relative to their distance from the root of the layout, so the root has
+  // to be at the middle of the weight: find it, lay out again about it, until it stays.
+  Vertex root{puncture.id == 0 ? 1 : 0};
+  std::vector<PlanePoint> p;
+  StereographicFrame frame;
+  for (int round = 0; round < 10; ++round) {
+    p = lay_out_plane(t, u, puncture, root);
+    frame = {{0, 0}, median_distance(p, weight, puncture)};
+    frame = conformal_barycentre(p, weight, puncture.index(), frame);
+    const Vertex next = nearest(p, puncture, frame);
+    if (next == root) {
+      break;
+    }
+    root = next;
+  }
+  for (std::size_t v = 0; v < p.size(); ++v) {
+    if (v == puncture.index()) {
+      continue;
+    }
+    const double x = (p[v].x - frame.centre.x) / frame.scale;
+    const double y = (p[v].y - frame.centre.y) / frame.scale;
+    const double r = std::hypot(x, y);
+    // log(2 / (scale (1 + r^2))), also where r^2 would overflow.
+    const double log_1_r2 = r < 1e8 ? std::log1p(r * r) : 2 * std::log(r);
+    u[v] += std::log(2.0) - std::log(frame.scale) - log_1_r2;
+  }
+  u[puncture.index()] = std::log(2.0) + std::log(frame.scale) - pin;
+}
+
+}  // namespace
+
+MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>& u,
+                                  const std::vector<double>& weight,
+                                  const MetricSolver::Watch& watch) {
+  MetricSolver::Result out;
+  const auto candidates = punctures_by_safety(t);
+  int tried = 0;
+  for (const Vertex puncture : candidates) {
+    if (tried++ == max_punctures) {
+      break;
+    }
+    u.assign(t.connectivity.vertex_count(), 0);
+    if (tried > 1) {
+      MetricSolver(Space{0}, t, u, std::vector<VertexRole>(u.size(), VertexRole::held))
+          .flip_to_delaunay();
+      if (!star_safety(t, puncture)) {
+        continue;
+      }
+    }
+    PuncturedPlane plane(t, u, puncture);
+    const auto result = plane.solve(watch);
+    out.iterations += result.iterations;
+    out.max_angle_error = result.max_angle_error;
+    if (!result.converged) {
+      continue;
+    }
+    wrap_onto_sphere(t, u, puncture, plane.pin(), weight);
+    out.converged = true;
+    return out;
+  }
+  return out;
+}
+
+}  // namespace ucvt

@@ -1,0 +1,178 @@
+#include "conformal/uniformize.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "conformal/metric_solver.h"
+#include "conformal/punctured_sphere.h"
+#include "ucvt/error.h"
+
+namespace ucvt {
+namespace {
+
+constexpr int max_newton_steps = 200;
+constexpr double angle_tolerance = 1e-10;
+
+struct Solution {
+  std::vector<double> u;
+  MetricSolver::Result result;
+};
+
+Solution solve_plane(IntrinsicTriangulation& t, double area, const MetricSolver::Watch& watch) {
+  std::vector<VertexRole> role(t.connectivity.vertex_count(), VertexRole::solved);
+  role[0] = VertexRole::held;
+  // Flat metrics scale freely: the total area becomes 1.
+  Solution out{std::vector<double>(role.size(), -std::log(area) / 2), {}};
+  out.result = MetricSolver(Space{0}, t, out.u, role).solve(1e-11, max_newton_steps, watch);
+  double total = 0;
+  const auto& c = t.connectivity;
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    std::array<double, 3> chord{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Halfedge h = halfedges({static_cast<std::int32_t>(f)})[i];
+      chord[i] = std::exp(t.log_length[h.index()] +
+                          (out.u[c.origin(h).index()] + out.u[c.head(h).index()]) / 2);
+    }
+    total += triangle_determinant({0}, chord) / 2;
+  }
+  for (double& u : out.u) {
+    u -= std::log(total) / 2;
+  }
+  return out;
+}
+
+Solution solve_hyperbolic(IntrinsicTriangulation& t, double area,
+                          const MetricSolver::Watch& watch) {
+  const double target = -2 * std::numbers::pi * static_cast<double>(t.connectivity.euler_number());
+  const std::size_t n = t.connectivity.vertex_count();
+  Solution out{std::vector<double>(n, std::log(target / area) / 2), {}};
+  MetricSolver solver({-1}, t, out.u, std::vector<VertexRole>(n, VertexRole::solved));
+  out.result = solver.solve(1e-11, max_newton_steps, watch);
+  return out;
+}
+
+std::vector<double> chords(const IntrinsicTriangulation& t, const std::vector<double>& u) {
+  std::vector<double> out(t.log_length.size());
+  const auto& c = t.connectivity;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    const double ui = u[std::min(c.origin(h), c.head(h)).index()];
+    const double uj = u[std::max(c.origin(h), c.head(h)).index()];
+    out[i] = std::exp(t.log_length[i] + (ui + uj) / 2);
+  }
+  return out;
+}
+
+/// Measures what was reached by formulas other than the solver's, and throws when it is not enough.
+void certify(const UniformSurface& t, UniformizationReport& report) {
+  const Connectivity& c = t.connectivity();
+  std::vector<double> sum(c.vertex_count());
+  for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    sum[c.origin(h).index()] += t.angle(h);
+  }
+  report.max_angle_error = 0;
+  for (const double s : sum) {
+    report.max_angle_error = std::max(report.max_angle_error, std::abs(s - 2 * std::numbers::pi));
+  }
+  report.area = 0;
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    report.area += t.area({static_cast<std::int32_t>(f)});
+  }
+  if (report.max_angle_error > angle_tolerance) {
+    throw NumericalError("uniformization left an angle error of " +
+                         std::to_string(report.max_angle_error) + " radians");
+  }
+  const double wanted =
+      t.space().kappa == 0 ? 1
+                           : 2 * std::numbers::pi * std::abs(static_cast<double>(c.euler_number()));
+  if (std::abs(report.area - wanted) > 1e-8 * wanted) {
+    throw NumericalError("uniformization missed the area that Gauss and Bonnet ask for");
+  }
+}
+
+}  // namespace
+
+Uniformized uniformize(const ClosedSurface& surface, double longest_edge, const Monitor& monitor) {
+  const auto start = std::chrono::steady_clock::now();
+  IntrinsicTriangulation t = intrinsic_triangulation(surface.mesh);
+  make_euclidean_delaunay(t);
+  if (longest_edge > 0) {
+    refine(t, longest_edge);
+  }
+  std::vector<double> vertex_area = euclidean_vertex_areas(t);
+  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
+  bool cancelled = false;
+  const MetricSolver::Watch watch = [&](int iteration, double error) {
+    cancelled = monitor && !monitor({"uniformize", iteration, error});
+    return !cancelled;
+  };
+  Solution solution;
+  if (surface.genus == 0) {
+    solution.result = solve_sphere(t, solution.u, vertex_area, watch);
+  } else if (surface.genus == 1) {
+    solution = solve_plane(t, area, watch);
+  } else {
+    solution = solve_hyperbolic(t, area, watch);
+  }
+  if (cancelled) {
+    throw Cancelled("interrupted during uniformization");
+  }
+  if (!solution.result.converged) {
+    throw NumericalError("uniformization stopped at an angle error of " +
+                         std::to_string(solution.result.max_angle_error) + " radians");
+  }
+  const double kappa = surface.genus == 0 ? 1 : surface.genus == 1 ? 0 : -1;
+  UniformSurface uniform({kappa}, t.connectivity, chords(t, solution.u));
+  UniformizationReport report;
+  report.geometry = kappa > 0 ? "spherical" : kappa < 0 ? "hyperbolic" : "euclidean";
+  report.newton_iterations = solution.result.iterations;
+  report.euclidean_flips = t.euclidean_flips;
+  report.ptolemy_flips = t.ptolemy_flips;
+  report.refined_vertices = t.splits;
+  const auto [low, high] = std::minmax_element(solution.u.begin(), solution.u.end());
+  report.log_scale_min = *low, report.log_scale_max = *high;
+  certify(uniform, report);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {std::move(t), std::move(solution.u), std::move(vertex_area), std::move(uniform), report};
+}
+
+std::vector<Position> positions_on_input(const Uniformized& t, const TriangleMesh& input,
+                                         const std::vector<SurfacePoint>& points) {
+  // A chord triangle of T and the light-cone vectors of its corners differ by the factors exp(u).
+  std::vector<HomogeneousPoint> carried;
+  carried.reserve(points.size());
+  for (const SurfacePoint& p : points) {
+    HomogeneousPoint h{p.face, {}};
+    const auto side = halfedges(p.face);
+    double top = -HUGE_VAL;
+    for (const Halfedge s : side) {
+      top = std::max(top, t.log_scale[t.intrinsic.connectivity.origin(s).index()]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      h.weight[i] =
+          p.bary[i] * std::exp(t.log_scale[t.intrinsic.connectivity.origin(side[i]).index()] - top);
+    }
+    carried.push_back(h);
+  }
+  t.intrinsic.log.undo(carried);
+  std::vector<Position> out;
+  out.reserve(points.size());
+  for (const HomogeneousPoint& h : carried) {
+    Position at{};
+    const double sum = h.weight[0] + h.weight[1] + h.weight[2];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto v = static_cast<std::size_t>(input.faces[h.face.index()][i]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        at[c] += h.weight[i] / sum * input.positions[v][c];
+      }
+    }
+    out.push_back(at);
+  }
+  return out;
+}
+
+}  // namespace ucvt

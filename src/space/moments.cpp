@@ -1,0 +1,112 @@
+#include "space/moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "space/quadrature.h"
+
+namespace ucvt {
+namespace {
+
+/// sum_{u<v} l_u l_v c_uv^2 of barycentric coordinates or of differences of them.
+double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
+  return l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
+}
+
+/// Degree of the rule that resolves a piece of the given squared size (its longest side in the
+/// space, roughly); 0 when the piece must be cut first. The integrand is a cubic times a power
+/// series in kappa size^2, so each step of two in the degree gains a factor of size^2 and some.
+int degree_for(double size2) {
+  if (size2 < 1e-6) {
+    return 5;
+  }
+  if (size2 < 1e-3) {
+    return 8;
+  }
+  if (size2 < 3e-2) {
+    return 12;
+  }
+  if (size2 < 0.2) {
+    return 18;
+  }
+  return size2 < 0.8 ? 28 : 0;
+}
+
+constexpr int max_depth = 40;
+
+struct Piece {
+  Space space;
+  const ChordTriangle& triangle;
+  const std::array<double, 3>& rho;
+
+  [[nodiscard]] double stretch(Barycentric p) const {
+    return 1 / (1 - space.kappa * chord_form(triangle, 1 - p.b1 - p.b2, p.b1, p.b2));
+  }
+  [[nodiscard]] double size2(Barycentric a, Barycentric b, Barycentric c) const {
+    if (space.kappa == 0) {
+      return 0;
+    }
+    const Barycentric mid{(a.b1 + b.b1 + c.b1) / 3, (a.b2 + b.b2 + c.b2) / 3};
+    const double w2 = std::max({stretch(a), stretch(b), stretch(c), stretch(mid)});
+    const auto side2 = [&](Barycentric p, Barycentric q) {
+      const double d1 = q.b1 - p.b1, d2 = q.b2 - p.b2;
+      return -chord_form(triangle, -d1 - d2, d1, d2);
+    };
+    return w2 * std::max({side2(a, b), side2(b, c), side2(c, a)});
+  }
+  [[nodiscard]] Weights one_rule(int degree, Barycentric a, Barycentric b, Barycentric c) const {
+    const double kappa = space.kappa;
+    const double jacobian =
+        triangle.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
+    Weights out;
+    for (const auto& q : triangle_rule(degree)) {
+      const double l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
+      const double l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
+      const double l0 = 1 - l1 - l2;
+      const double form = chord_form(triangle, l0, l1, l2);
+      const double root = std::sqrt(1 - kappa * form), w = 1 / root;
+      const double dm = q.weight * jacobian * w * w * w * (l0 * rho[0] + l1 * rho[1] + l2 * rho[2]);
+      out.mass += dm;
+      out.mu[0] += dm * w * l0;
+      out.mu[1] += dm * w * l1;
+      out.mu[2] += dm * w * l2;
+      out.excess -= dm * w * form / (1 + root);
+    }
+    return out;
+  }
+  [[nodiscard]] Weights integrate(Barycentric a, Barycentric b, Barycentric c, int depth) const {
+    const int degree = degree_for(size2(a, b, c));
+    if (degree != 0 || depth == max_depth) {
+      return one_rule(degree ? degree : 28, a, b, c);
+    }
+    const auto middle = [](Barycentric p, Barycentric q) {
+      return Barycentric{(p.b1 + q.b1) / 2, (p.b2 + q.b2) / 2};
+    };
+    const Barycentric ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    Weights out = integrate(a, ab, ca, depth + 1);
+    out += integrate(ab, b, bc, depth + 1);
+    out += integrate(ca, bc, c, depth + 1);
+    out += integrate(ab, bc, ca, depth + 1);
+    return out;
+  }
+};
+
+}  // namespace
+
+double triangle_determinant(Space s, const std::array<double, 3>& chord) {
+  std::array<double, 3> c = chord;
+  std::sort(c.begin(), c.end(), std::greater<>());
+  // 16 Area^2 of the chord triangle; the order of the operations matters (Kahan 2014).
+  const double heron = (c[0] + (c[1] + c[2])) * (c[2] - (c[0] - c[1])) * (c[2] + (c[0] - c[1])) *
+                       (c[0] + (c[1] - c[2]));
+  const double product = c[0] * c[1] * c[2];
+  const double det2 = (heron - s.kappa * product * product) / 4;
+  return det2 > 0 ? std::sqrt(det2) : 0;
+}
+
+Weights integrate_piece(Space s, const ChordTriangle& t, const std::array<double, 3>& rho,
+                        Barycentric a, Barycentric b, Barycentric c) {
+  return Piece{s, t, rho}.integrate(a, b, c, 0);
+}
+
+}  // namespace ucvt

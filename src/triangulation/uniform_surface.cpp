@@ -1,0 +1,164 @@
+#include "triangulation/uniform_surface.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "ucvt/error.h"
+
+namespace ucvt {
+
+UniformSurface::UniformSurface(Space space, Connectivity connectivity, std::vector<double> chord)
+    : space_(space), connectivity_(std::move(connectivity)), chord_(std::move(chord)) {
+  const std::size_t faces = connectivity_.face_count();
+  det_.resize(faces);
+  for (std::size_t f = 0; f < faces; ++f) {
+    det_[f] = triangle_determinant(space_, {chord_[3 * f], chord_[3 * f + 1], chord_[3 * f + 2]});
+    if (!(det_[f] > 0)) {
+      throw NumericalError("face " + std::to_string(f) + " of the uniformized surface collapsed");
+    }
+  }
+  const double kappa = space_.kappa;
+  developing_.resize(3 * faces);
+  for (std::size_t i = 0; i < developing_.size(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)}, t = connectivity_.twin(h);
+    const double c2 = chord_[i] * chord_[i];
+    const double cu = this->chord(t.next()), cv = this->chord(t.prev());
+    const double cu2 = cu * cu, cv2 = cv * cv, r = 1 - kappa * c2 / 4;
+    developing_[i] = {(c2 + cv2 - cu2 - kappa * c2 * cv2 / 2) / (2 * c2 * r),
+                      (c2 + cu2 - cv2 - kappa * c2 * cu2 / 2) / (2 * c2 * r),
+                      -det(t.face()) / (c2 * r), (cu2 + cv2 - c2) / (4 * r)};
+  }
+}
+
+ChordTriangle UniformSurface::triangle(Face f) const {
+  ChordTriangle out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double c = chord_[3 * f.index() + i];
+    out.chord2[i] = c * c;
+  }
+  out.det = det(f);
+  return out;
+}
+
+double UniformSurface::angle(Halfedge h) const {
+  const double c = chord(h), d = chord(h.prev()), e = chord(h.next());
+  const double hc = c * c / 2, hd = d * d / 2;
+  return std::atan2(det(h.face()), hc + hd - e * e / 2 - space_.kappa * hc * hd);
+}
+
+double UniformSurface::area(Face f) const {
+  if (space_.kappa == 0) {
+    return det(f) / 2;
+  }
+  double sum = 0;
+  for (const Halfedge h : halfedges(f)) {
+    sum += angle(h);
+  }
+  return space_.kappa * (sum - std::numbers::pi);
+}
+
+std::vector<Offset> UniformSurface::vertex_frames() const {
+  std::vector<Offset> out(connectivity_.halfedge_count());
+  for (std::size_t v = 0; v < connectivity_.vertex_count(); ++v) {
+    const Vertex vertex{static_cast<std::int32_t>(v)};
+    double total = 0;
+    connectivity_.for_outgoing(vertex, [&](Halfedge h) { total += angle(h); });
+    const double scale = 2 * std::numbers::pi / total;
+    double direction = 0;
+    connectivity_.for_outgoing(vertex, [&](Halfedge h) {
+      out[h.index()] = from_chord(space_, chord(h), std::cos(direction), std::sin(direction));
+      direction += scale * angle(h);
+    });
+  }
+  return out;
+}
+
+namespace {
+
+/// sum b_v P_v, scaled onto the space, as an offset.
+Offset combine(Space s, const std::array<Offset, 3>& corner, const std::array<double, 3>& b,
+               double chord_form) {
+  const double root = std::sqrt(1 - s.kappa * chord_form), w = 1 / root;
+  Offset p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.x += w * b[i] * corner[i].x;
+    p.y += w * b[i] * corner[i].y;
+    p.h += w * b[i] * corner[i].h;
+  }
+  p.h -= w * chord_form / (1 + root);
+  return on_quadric(s, p);
+}
+
+}  // namespace
+
+Place place_of(const UniformSurface& t, const SurfacePoint& p) {
+  const Space s = t.space();
+  const auto side = halfedges(p.face);
+  const double turn = t.angle(side[0]);
+  const std::array<Offset, 3> corner{
+      Offset{}, from_chord(s, t.chord(side[0]), 1, 0),
+      from_chord(s, t.chord(side[2]), std::cos(turn), std::sin(turn))};
+  const ChordTriangle tri = t.triangle(p.face);
+  const double form = p.bary[0] * p.bary[1] * tri.chord2[0] +
+                      p.bary[1] * p.bary[2] * tri.chord2[1] + p.bary[2] * p.bary[0] * tri.chord2[2];
+  const Offset at = combine(s, corner, p.bary, form);
+  Place out{p.face, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.corner[i] = on_quadric(s, transvect_back(s, at, corner[i]));
+  }
+  return out;
+}
+
+SurfacePoint point_of(const Place& place) {
+  // The origin is sum l_v P_v with l_v the determinants of the two other corners with it.
+  SurfacePoint out{place.face, {}};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.bary[i] = std::max(0.0, cross(place.corner[(i + 1) % 3], place.corner[(i + 2) % 3]));
+    sum += out.bary[i];
+  }
+  for (double& b : out.bary) {
+    b /= sum;
+  }
+  return out;
+}
+
+void move_place(const UniformSurface& t, Place& place, const Offset& to) {
+  const Space s = t.space();
+  for (Offset& c : place.corner) {
+    c = on_quadric(s, transvect_back(s, to, c));
+  }
+  const std::size_t limit = 100 + 3 * t.connectivity().face_count();
+  for (std::size_t step = 0; step < limit; ++step) {
+    // Leave across the side that the origin is farthest beyond.
+    std::size_t exit = 3;
+    double worst = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Offset &u = place.corner[i], &v = place.corner[(i + 1) % 3];
+      const double inside = cross(u, v) / std::sqrt(chord2(s, u, v));
+      if (inside < worst) {
+        worst = inside, exit = i;
+      }
+    }
+    if (exit == 3) {
+      return;
+    }
+    const Halfedge h = halfedges(place.face)[exit];
+    const Halfedge twin = t.connectivity().twin(h);
+    const Offset u = place.corner[exit], v = place.corner[(exit + 1) % 3];
+    // Beyond by rounding only: the place is on the edge, and either face will do.
+    if (worst > -1e-14 * t.chord(h)) {
+      return;
+    }
+    const auto j = static_cast<std::size_t>(twin.id % 3);
+    place.face = twin.face();
+    place.corner[j] = v;
+    place.corner[(j + 1) % 3] = u;
+    place.corner[(j + 2) % 3] = t.develop(h, u, v);
+  }
+  throw NumericalError("the walk to a site's new place did not end");
+}
+
+}  // namespace ucvt
