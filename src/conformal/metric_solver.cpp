@@ -14,7 +14,10 @@ namespace {
 /// Ptolemy flips happen only past this sum of doubled cosines.
 constexpr double delaunay_tolerance = 1e-11;
 
-constexpr int max_halvings = 40;
+constexpr int max_halvings = 40, halvings_before_pins = 6;
+
+/// A link vertex this much farther from the puncture than the pin, in log scale, has left the link.
+constexpr double pin_tolerance = 1e-12;
 
 }  // namespace
 
@@ -48,9 +51,14 @@ bool MetricSolver::should_flip(Halfedge h) const {
     const double a = half_[g.next().index()], b = half_[g.prev().index()], c = half_[g.index()];
     return a / b + b / a - (c / a) * (c / b);
   };
-  const auto at_puncture = [&](Vertex v) { return role_[v.index()] == VertexRole::puncture; };
-  if (at_puncture(t_.connectivity.origin(h)) || at_puncture(t_.connectivity.head(h))) {
-    return false;
+  for (const Halfedge g : {h, twin}) {
+    if (role_[t_.connectivity.origin(g).index()] != VertexRole::puncture) {
+      continue;
+    }
+    // The puncture sees only the nearest vertices, those at the distance of the pin.
+    const double beyond =
+        2 * t_.log_length[g.index()] + u_[t_.connectivity.head(g).index()] - pin_;
+    return beyond > pin_tolerance && t_.connectivity.degree(t_.connectivity.origin(g)) > 3;
   }
   return doubled_cosine(h) + doubled_cosine(twin) < -delaunay_tolerance;
 }
@@ -99,18 +107,27 @@ void MetricSolver::flip_from(Halfedge first) {
 
 void MetricSolver::pin(Halfedge from_puncture, std::vector<Halfedge>& changed) {
   const Vertex v = t_.connectivity.head(from_puncture);
-  if (role_[v.index()] != VertexRole::solved) {
+  if (role_[v.index()] == VertexRole::puncture) {
     link_is_simple_ = false;
     return;
   }
-  role_[v.index()] = VertexRole::held;
-  u_[v.index()] = pin_ - 2 * t_.log_length[from_puncture.index()];
-  ++pins_;
+  if (role_[v.index()] == VertexRole::solved) {
+    role_[v.index()] = VertexRole::held;
+    pinned_.push_back(v);
+  }
+  u_[v.index()] = std::max(u_[v.index()], pin_ - 2 * t_.log_length[from_puncture.index()]);
   t_.connectivity.for_outgoing(v, [&](Halfedge h) {
     half_[h.index()] = half_[t_.connectivity.twin(h).index()] = half_chord(h);
     changed.push_back(h);
     changed.push_back(h.next());
   });
+}
+
+void MetricSolver::unpin() {
+  for (const Vertex v : pinned_) {
+    role_[v.index()] = VertexRole::solved;
+  }
+  link_is_simple_ = true;
 }
 
 bool MetricSolver::face_angles(Face f, FaceAngles& out) const {
@@ -141,6 +158,7 @@ bool MetricSolver::evaluate() {
   if (!std::ranges::all_of(u_, [](double x) { return std::isfinite(x); })) {
     return false;
   }
+  pinned_.clear();
   flip_to_delaunay();
   if (!link_is_simple_) {
     return false;
@@ -261,22 +279,24 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
     const double error0 = out.max_angle_error;
     double step = 1;
     bool accepted = false;
-    const int pins = pins_;
     for (int halving = 0; halving < max_halvings && !accepted; ++halving, step /= 2) {
       for (std::size_t v = 0; v < u_.size(); ++v) {
         u_[v] = start[v] + step * direction[v];
       }
-      if (!evaluate()) {
-        if (pins_ != pins || !link_is_simple_) {
-          return out;
-        }
-        continue;
+      const bool in_range = evaluate();
+      // A vertex that comes to the puncture's link changes the problem. A long step brings it there
+      // by mistake as well, so that is believed of short ones only.
+      const bool believed = pinned_.empty() || halving >= halvings_before_pins;
+      if (in_range && believed) {
+        const double s = slope(direction);
+        accepted =
+            !pinned_.empty() || (s <= slope0 / 2 && (s <= 0 || gradient_norm2() < norm0));
       }
-      const double s = slope(direction);
-      // A vertex that came to the puncture's link changes the problem: go on from there.
-      accepted = pins_ != pins || (s <= slope0 / 2 && (s <= 0 || gradient_norm2() < norm0));
+      if (!accepted) {
+        unpin();
+      }
     }
-    if (!accepted || (pins_ == pins && error0 < tolerance && gradient_max() >= error0)) {
+    if (!accepted || (pinned_.empty() && error0 < tolerance && gradient_max() >= error0)) {
       // Rounding has the last word: keep the better of the two.
       u_ = start;
       evaluate();

@@ -60,6 +60,7 @@ class MetricSolver {
   [[nodiscard]] double half_chord(Halfedge h) const;
   [[nodiscard]] bool should_flip(Halfedge h) const;
   void flip_from(Halfedge first);
+  void unpin();
   void pin(Halfedge from_puncture, std::vector<Halfedge>& changed);
   /// False when the face has collapsed.
   bool face_angles(Face f, FaceAngles& out) const;
@@ -79,7 +80,7 @@ class MetricSolver {
   std::vector<double> angle_sum_;
   std::vector<Halfedge> stack_;
   double pin_ = 0;
-  int pins_ = 0;
+  std::vector<Vertex> pinned_;  ///< by the last evaluation
   bool link_is_simple_ = true;
 };
 

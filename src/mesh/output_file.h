@@ -1,8 +1,8 @@
 // A file that appears whole or not at all.
 //
 // Bytes go to a temporary file beside the target, which `commit` flushes to the disk and renames;
-// every step is checked. Without a commit nothing is left behind. "-" is standard output, written at
-// the commit; a target that is a device or a pipe is written at the commit too. Serves all outputs.
+// every step is checked. Without a commit nothing is left behind. "-" is standard output; it,
+// devices and pipes are written directly, at the commit. Serves all outputs.
 #pragma once
 
 #include <string>

@@ -34,7 +34,7 @@ struct PlyHeader {
   std::int64_t data_line = 1;  // line there
 };
 
-/// Reads the header; checks each element's count against the bytes that follow. Throws InvalidInput.
+/// Reads the header and checks its counts against the bytes that follow. Throws InvalidInput.
 PlyHeader read_ply_header(std::string_view bytes);
 
 }  // namespace ucvt

@@ -138,10 +138,20 @@ void PolygonCutter::cut(std::span<const std::int32_t> corners, std::vector<Corne
     return;
   }
   project(corners, normal);
-  const auto size = static_cast<std::int32_t>(corners.size());
+  cut_leftover(normal, clip_ears(triangles), triangles);
+}
+
+// Clips until four corners are left or nothing is an ear; returns a corner that is left.
+std::int32_t PolygonCutter::clip_ears(std::vector<Corners>& triangles) {
+  const auto size = static_cast<std::int32_t>(ring_.size());
   for (std::int32_t i = 0; i < size; ++i) {
     classify(i);
   }
+  reflex_.swap(late_reflex_);
+  late_reflex_.clear();
+  std::sort(reflex_.begin(), reflex_.end(), [this](std::int32_t a, std::int32_t b) {
+    return ring_[static_cast<std::size_t>(a)].x < ring_[static_cast<std::size_t>(b)].x;
+  });
   std::int32_t left = size, start = 0;
   while (left > 4) {
     if (ears_.empty()) {
@@ -161,7 +171,7 @@ void PolygonCutter::cut(std::span<const std::int32_t> corners, std::vector<Corne
     start = clip(ear.corner, triangles);
     --left;
   }
-  cut_leftover(normal, start, triangles);
+  return start;
 }
 
 // Returns a corner that is left.
@@ -298,7 +308,7 @@ void PolygonCutter::project(std::span<const std::int32_t> corners, const Positio
   const Position v = cross(normal, u);
   const auto size = static_cast<std::int32_t>(points_.size());
   ring_.assign(points_.size(), Corner());
-  reflex_.clear();
+  late_reflex_.clear();
   ears_ = {};
   for (std::int32_t i = 0; i < size; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -321,34 +331,49 @@ void PolygonCutter::classify(std::int32_t corner) {
   Corner& c = ring_[static_cast<std::size_t>(corner)];
   const bool reflex = !(area(c.prev, corner, c.next) > kFlat);
   if (reflex && !c.reflex) {
-    reflex_.push_back(corner);
+    late_reflex_.push_back(corner);
   }
   c.reflex = reflex;
 }
 
+// Whether the other corner lies in the triangle that clipping this one would make.
+bool PolygonCutter::blocks(std::int32_t other, std::int32_t corner) const {
+  const Corner& tip = ring_[static_cast<std::size_t>(corner)];
+  const Corner& c = ring_[static_cast<std::size_t>(other)];
+  if (c.version < 0 || !c.reflex || other == tip.prev || other == tip.next) {
+    return false;
+  }
+  if (area(tip.prev, corner, other) < -kFlat || area(corner, tip.next, other) < -kFlat ||
+      area(tip.next, tip.prev, other) < -kFlat) {
+    return false;
+  }
+  const auto same_place = [&](std::int32_t i) {
+    const Corner& p = ring_[static_cast<std::size_t>(i)];
+    return p.x == c.x && p.y == c.y;
+  };
+  return !same_place(tip.prev) && !same_place(tip.next);
+}
+
+// Only a reflex corner can be in the way, and only one in the triangle's range of x.
 bool PolygonCutter::is_ear(std::int32_t corner) const {
   const Corner& tip = ring_[static_cast<std::size_t>(corner)];
   if (tip.reflex) {
     return false;
   }
-  for (const std::int32_t other : reflex_) {
-    const Corner& c = ring_[static_cast<std::size_t>(other)];
-    if (c.version < 0 || !c.reflex || other == tip.prev || other == tip.next) {
-      continue;
-    }
-    if (area(tip.prev, corner, other) < -kFlat || area(corner, tip.next, other) < -kFlat ||
-        area(tip.next, tip.prev, other) < -kFlat) {
-      continue;
-    }
-    const auto same_place = [&](std::int32_t i) {
-      const Corner& p = ring_[static_cast<std::size_t>(i)];
-      return p.x == c.x && p.y == c.y;
-    };
-    if (!same_place(tip.prev) && !same_place(tip.next)) {
+  const double before = ring_[static_cast<std::size_t>(tip.prev)].x;
+  const double after = ring_[static_cast<std::size_t>(tip.next)].x;
+  const double low = std::min({before, tip.x, after}) - kFlat;
+  const double high = std::max({before, tip.x, after}) + kFlat;
+  const auto x = [this](std::int32_t i) { return ring_[static_cast<std::size_t>(i)].x; };
+  for (auto other = std::lower_bound(reflex_.begin(), reflex_.end(), low,
+                                     [&](std::int32_t i, double bound) { return x(i) < bound; });
+       other != reflex_.end() && x(*other) <= high; ++other) {
+    if (blocks(*other, corner)) {
       return false;
     }
   }
-  return true;
+  return std::none_of(late_reflex_.begin(), late_reflex_.end(),
+                      [&](std::int32_t other) { return blocks(other, corner); });
 }
 
 void PolygonCutter::offer(std::int32_t corner) {

@@ -2,8 +2,8 @@
 //
 // A polygon is cut by clipping ears in its best-fit plane (Newell's normal), the best shaped first,
 // so concave polygons and collinear corners come out as a valid triangulation. A diagonal that is
-// an edge of the mesh already would become an edge of four faces: such diagonals are taken only when
-// there is no other. The result does not depend on the scale of the positions.
+// an edge of the mesh already would become an edge of four faces: such diagonals are taken only
+// when there is no other. The result does not depend on the scale of the positions.
 #pragma once
 
 #include <cstdint>
@@ -66,8 +66,10 @@ class PolygonCutter {
   void cut_leftover(const Position& normal, std::int32_t start, std::vector<Corners>& triangles);
   Position load_points(std::span<const std::int32_t> corners);
   void project(std::span<const std::int32_t> corners, const Position& normal);
+  std::int32_t clip_ears(std::vector<Corners>& triangles);
   std::int32_t clip(std::int32_t corner, std::vector<Corners>& triangles);
   void classify(std::int32_t corner);
+  bool blocks(std::int32_t other, std::int32_t corner) const;
   bool is_ear(std::int32_t corner) const;
   void offer(std::int32_t corner);
   double area(std::int32_t a, std::int32_t b, std::int32_t c) const;
@@ -77,7 +79,8 @@ class PolygonCutter {
   EdgeSet edges_;
   std::vector<Position> points_;  // of the polygon at hand, in a box of size one
   std::vector<Corner> ring_;
-  std::vector<std::int32_t> reflex_;
+  std::vector<std::int32_t> reflex_;       // sorted by x
+  std::vector<std::int32_t> late_reflex_;  // that rounding made so after the first clip
   std::priority_queue<Ear> ears_;
 };
 

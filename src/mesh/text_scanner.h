@@ -50,7 +50,7 @@ class TextScanner {
   std::int64_t line_ = 1;
 };
 
-/// Reads the whole word as a decimal number: an optional sign, also `+`; `nan` and `inf` give those.
+/// Reads the whole word as a decimal number, with an optional sign; `nan` and `inf` give those.
 /// Too small a number gives 0; too large a one infinity. False when the word is something else.
 bool parse_real(std::string_view word, double& value);
 

@@ -54,7 +54,7 @@ void Analysis::count_vertices_and_components() {
   result_.counts.vertices = static_cast<std::int64_t>(used.size()) - result_.counts.unused_vertices;
 }
 
-// Faces with the same three vertices share the edge of the two least, with the same vertex opposite.
+// Faces with the same three vertices share the edge of the two least, and the vertex opposite.
 void Analysis::find_duplicates(std::span<const EdgeSide> sides) {
   std::vector<std::pair<std::int32_t, std::int32_t>> opposite;  // vertex, face
   for (const EdgeSide& s : sides) {

@@ -28,7 +28,8 @@ Connectivity::Connectivity(std::size_t vertices,
   sides.reserve(origin_.size());
   for (std::size_t i = 0; i < origin_.size(); ++i) {
     const Halfedge h{narrow(i)};
-    const auto [low, high] = std::minmax(origin(h).id, head(h).id);
+    const std::int32_t low = std::min(origin(h).id, head(h).id);
+    const std::int32_t high = std::max(origin(h).id, head(h).id);
     sides.push_back({low, high, h});
   }
   std::sort(sides.begin(), sides.end());

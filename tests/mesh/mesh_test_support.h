@@ -1,9 +1,6 @@
 // What the tests of the mesh room share: a folder of their own, small surfaces, caught messages.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +8,9 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "ucvt/error.h"
 #include "ucvt/mesh.h"
@@ -22,7 +22,9 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "ucvt-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw IoError("cannot make a folder");
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw IoError("cannot make a folder");
+    }
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -93,7 +95,9 @@ inline TriangleMesh grid_surface(std::int32_t rows, std::int32_t columns, bool k
     }
   }
   const auto at = [&](std::int32_t i, std::int32_t j) {
-    if (klein && i == rows) j = 2 * columns - j;
+    if (klein && i == rows) {
+      j = 2 * columns - j;
+    }
     return (i % rows) * columns + j % columns;
   };
   for (std::int32_t i = 0; i < rows; ++i) {

@@ -55,7 +55,9 @@ TEST(OutputFile, FailuresAreIoErrors) {
 }
 
 TEST(OutputFile, AFullDiskIsAnIoError) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  if (!std::filesystem::exists("/dev/full")) {
+    GTEST_SKIP() << "no /dev/full here";
+  }
   OutputFile out("/dev/full");
   out.write("x");
   EXPECT_THROW(out.commit(), IoError);
@@ -85,7 +87,9 @@ TEST(OutputFile, WritesDevicesAndPipesDirectly) {
 
 TEST(OutputFile, StandardOutputIsWrittenAtTheCommit) {
   testing::internal::CaptureStdout();
-  { OutputFile("-").write("lost"); }
+  {
+    OutputFile("-").write("lost");
+  }
   OutputFile out("-");
   out.write("kept");
   out.commit();

@@ -35,11 +35,15 @@ void expect_valid(const std::vector<Position>& p, const std::vector<Corners>& tr
   for (const Corners& t : triangles) {
     EXPECT_GT(doubled_area(p, t), 0);
     sum += doubled_area(p, t);
-    for (std::size_t i = 0; i < 3; ++i) ++sides[{t[i], t[(i + 1) % 3]}];
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++sides[{t[i], t[(i + 1) % 3]}];
+    }
   }
   const auto n = static_cast<std::int32_t>(p.size());
   for (std::int32_t i = 0; i < n; ++i) {
-    if (i > 0 && i + 1 < n) whole += doubled_area(p, {0, i, i + 1});
+    if (i > 0 && i + 1 < n) {
+      whole += doubled_area(p, {0, i, i + 1});
+    }
     EXPECT_EQ((sides[{i, (i + 1) % n}]), 1);
     sides[{(i + 1) % n, i}] += 1;
   }
@@ -90,12 +94,16 @@ TEST(PolygonCutter, DoesNotDependOnScaleOrPlace) {
   for (const double scale : {0x1p-1000, 0x1p-40, 0x1p40, 0x1p1000}) {
     std::vector<Position> p = kConcave;
     for (Position& point : p) {
-      for (double& c : point) c *= scale;
+      for (double& c : point) {
+        c *= scale;
+      }
     }
     EXPECT_EQ(cut(p), cut(kConcave)) << scale;
   }
   std::vector<Position> upright;
-  for (const Position& point : kConcave) upright.push_back({point[2], point[0], point[1]});
+  for (const Position& point : kConcave) {
+    upright.push_back({point[2], point[0], point[1]});
+  }
   EXPECT_EQ(cut(upright).size(), kConcave.size() - 2);
 }
 
@@ -107,9 +115,9 @@ TEST(PolygonCutter, NothingIsAnEar) {
 
 TEST(PolygonCutter, DoesNotUseAnEdgeTwice) {
   // Two quads back to back and a fin on one diagonal: both must take the other diagonals.
-  const auto mesh = read_bytes(
-      "a.off",
-      "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1\n0 2 1\n4 0 1 2 3\n3 0 2 4\n3 2 0 5\n3 1 2 4\n");
+  const auto mesh = read_bytes("a.off",
+                               "OFF\n6 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1\n0 2 1\n4 0 1 2 3\n3 "
+                               "0 2 4\n3 2 0 5\n3 1 2 4\n");
   const std::vector<Corners> expected = {{1, 2, 3}, {1, 3, 0}, {0, 2, 4}, {2, 0, 5}, {1, 2, 4}};
   EXPECT_EQ(mesh.faces, expected);
   const auto pillow =
@@ -126,7 +134,9 @@ TEST(PolygonCutter, RepeatedCornersStayVisible) {
 
 TEST(EdgeSet, KeepsEdgesWhileItGrows) {
   EdgeSet set(1);
-  for (std::int32_t i = 0; i < 1000; ++i) set.insert(i, 3 * i + 1);
+  for (std::int32_t i = 0; i < 1000; ++i) {
+    set.insert(i, 3 * i + 1);
+  }
   for (std::int32_t i = 0; i < 1000; ++i) {
     EXPECT_TRUE(set.contains(3 * i + 1, i));
     EXPECT_FALSE(set.contains(i, 3 * i + 2));

@@ -15,13 +15,14 @@ TEST(ReadObj, TakesEveryDress) {
   expect_tetrahedron(read_bytes("a.obj", kVertices + faces));
   expect_tetrahedron(read_bytes("no_extension", "# c\nmtllib none.mtl\n" + kVertices + faces));
   expect_tetrahedron(read_bytes("a.obj", faces + kVertices));
-  expect_tetrahedron(read_bytes(
-      "a.obj", kVertices + "vn 0 0 1\nvt 0 0\ng a b\nf 1//1 3//1 2//1\nf 1/1 2/1 4/1\n"
-                           "f 2/1/1 3/1/1 4/1/1\nf 1// 4// 3// # c\n"));
+  expect_tetrahedron(
+      read_bytes("a.obj", kVertices + "vn 0 0 1\nvt 0 0\ng a b\nf 1//1 3//1 2//1\nf 1/1 2/1 4/1\n"
+                                      "f 2/1/1 3/1/1 4/1/1\nf 1// 4// 3// # c\n"));
   expect_tetrahedron(
       read_bytes("a.obj", kVertices + "f -4 -2 -3\nf -4//-1 -3 -1\nf -3 -2 -1\nf -4 -1 -2"));
-  expect_tetrahedron(read_bytes("a.obj", "v 0 0 0 1 .5 .2\r\nv\t1  0 0\r\nv 0 1 0\r\nv 0 0 1e0\r\n"
-                                         "f 1 3 \\\r\n 2\r\nf 1 2 4\r\nf 2 3\\\r\n4\r\nf 1 4 3\r\n"));
+  expect_tetrahedron(read_bytes("a.obj",
+                                "v 0 0 0 1 .5 .2\r\nv\t1  0 0\r\nv 0 1 0\r\nv 0 0 1e0\r\n"
+                                "f 1 3 \\\r\n 2\r\nf 1 2 4\r\nf 2 3\\\r\n4\r\nf 1 4 3\r\n"));
 }
 
 TEST(ReadObj, TakesUtf16) {

@@ -42,11 +42,14 @@ TEST(ReadOff, SkipsColoursNormalsAndTextures) {
   const std::string faces = "3 0 2 1 0.5 0.5 0.5\n3 0 1 3 7\n3 1 2 3\n3 0 3 2 1 1 1 1\n";
   expect_tetrahedron(read_bytes("a.off", "COFF\n4 4 6\n" + colours + faces));
   expect_tetrahedron(read_bytes("a.off", "OFF\n4 4 6\n" + colours + faces));
-  const std::string all = "0 0 0  0 0 1 1 1 1 1 .5 .5\n1 0 0  0 0 1 1 1 1 1 .5 .5\n"
-                          "0 1 0  0 0 1 1 1 1 1 .5 .5\n0 0 1  0 0 1 1 1 1 1 .5 .5\n";
+  const std::string all =
+      "0 0 0  0 0 1 1 1 1 1 .5 .5\n1 0 0  0 0 1 1 1 1 1 .5 .5\n"
+      "0 1 0  0 0 1 1 1 1 1 .5 .5\n0 0 1  0 0 1 1 1 1 1 .5 .5\n";
   expect_tetrahedron(read_bytes("a.off", "STCNOFF\n4 4 6\n" + all + faces));
-  const std::string stream = replaced("NOFF 4 4 6 0 0 0 1 2 3 1 0 0 1 2 3 0 1 0 1 2 3 0 0 1 1 2 3 "
-                                      "3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2", "\n", " ");
+  const std::string stream = replaced(
+      "NOFF 4 4 6 0 0 0 1 2 3 1 0 0 1 2 3 0 1 0 1 2 3 0 0 1 1 2 3 "
+      "3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2",
+      "\n", " ");
   expect_tetrahedron(read_bytes("a.off", stream));
 }
 
@@ -55,17 +58,27 @@ std::string binary_tetrahedron(bool big, bool colours) {
   const auto put = [&](auto value) {
     char raw[4];
     std::memcpy(raw, &value, 4);
-    if (big) std::swap(raw[0], raw[3]), std::swap(raw[1], raw[2]);
+    if (big) {
+      std::swap(raw[0], raw[3]), std::swap(raw[1], raw[2]);
+    }
     bytes.append(raw, 4);
   };
-  for (const std::int32_t count : {4, 4, 6}) put(count);
+  for (const std::int32_t count : {4, 4, 6}) {
+    put(count);
+  }
   for (const Position& p : tetrahedron().positions) {
-    for (const double c : p) put(static_cast<float>(c));
+    for (const double c : p) {
+      put(static_cast<float>(c));
+    }
   }
   for (const Corners& f : tetrahedron().faces) {
     put(std::int32_t{3});
-    for (const std::int32_t v : f) put(v);
-    if (colours) put(std::int32_t{0});
+    for (const std::int32_t v : f) {
+      put(v);
+    }
+    if (colours) {
+      put(std::int32_t{0});
+    }
   }
   return bytes;
 }

@@ -26,7 +26,9 @@ void put(std::string& bytes, bool big, double value) {
   const T number = static_cast<T>(value);
   char raw[sizeof(T)];
   std::memcpy(raw, &number, sizeof(T));
-  if (big) std::reverse(raw, raw + sizeof(T));
+  if (big) {
+    std::reverse(raw, raw + sizeof(T));
+  }
   bytes.append(raw, sizeof(T));
 }
 
@@ -48,9 +50,13 @@ std::string binary(bool big) {
   for (const Corners& f : tetrahedron().faces) {
     put<std::int32_t>(bytes, big, -7);
     put<std::uint32_t>(bytes, big, 3);
-    for (const std::int32_t v : f) put<std::uint16_t>(bytes, big, v);
+    for (const std::int32_t v : f) {
+      put<std::uint16_t>(bytes, big, v);
+    }
     put<std::uint8_t>(bytes, big, 2);
-    for (int i = 0; i < 2; ++i) put<double>(bytes, big, 0.5);
+    for (int i = 0; i < 2; ++i) {
+      put<double>(bytes, big, 0.5);
+    }
   }
   return bytes;
 }
@@ -89,15 +95,15 @@ TEST(ReadPly, EveryTruncationIsRefused) {
 TEST(ReadPly, NamesTheFaultAndThePlace) {
   EXPECT_HAS(read_refusal("a.ply", ascii("", "")), "no vertex element");
   EXPECT_HAS(read_refusal("a.ply", ascii(kVertexElement, kVertices)), "no faces");
-  EXPECT_HAS(read_refusal("a.ply", ascii(kVertexElement + kFaceElement, kVertices + "3 0 2 4\n" +
-                                                                            kFaces)),
-             "face 0 has vertex index 4, but there are 4 vertices (line 14)");
+  EXPECT_HAS(
+      read_refusal("a.ply", ascii(kVertexElement + kFaceElement, kVertices + "3 0 2 4\n" + kFaces)),
+      "face 0 has vertex index 4, but there are 4 vertices (line 15)");
   EXPECT_HAS(read_refusal("a.ply", ascii(kVertexElement + kFaceElement,
                                          "0 0 0\n1 nan 0\n0 1 0\n0 0 1\n" + kFaces)),
-             "vertex 1 has coordinate y = nan (line 11)");
-  EXPECT_HAS(read_refusal("a.ply", ascii(kVertexElement + kFaceElement,
-                                         kVertices + "2 0 2\n" + kFaces)),
-             "face 0 has 2 corners (line 14)");
+             "vertex 1 has coordinate y = nan (line 12)");
+  EXPECT_HAS(
+      read_refusal("a.ply", ascii(kVertexElement + kFaceElement, kVertices + "2 0 2\n" + kFaces)),
+      "face 0 has 2 corners (line 15)");
   EXPECT_HAS(read_refusal("a.ply", ascii("element vertex 4000000000\nproperty float x\n", "")),
              "declares 4000000000");
   EXPECT_HAS(read_refusal("a.ply", ascii("element vertex 1\nproperty quad x\n", "1")), "'quad'");

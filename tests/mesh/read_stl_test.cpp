@@ -28,9 +28,13 @@ std::string binary_stl(const TriangleMesh& mesh, std::string header) {
   };
   put(static_cast<std::uint32_t>(mesh.faces.size()));
   for (const Corners& f : mesh.faces) {
-    for (int i = 0; i < 3; ++i) put(0.0F);
+    for (int i = 0; i < 3; ++i) {
+      put(0.0F);
+    }
     for (const std::int32_t v : f) {
-      for (const double c : mesh.positions[static_cast<std::size_t>(v)]) put(static_cast<float>(c));
+      for (const double c : mesh.positions[static_cast<std::size_t>(v)]) {
+        put(static_cast<float>(c));
+      }
     }
     put(std::uint16_t{0});
   }
@@ -75,8 +79,9 @@ TEST(ReadStl, NamesTheFault) {
   const std::string text = text_stl(tetrahedron());
   EXPECT_HAS(read_refusal("a.stl", text.substr(0, text.find("endloop"))), "ends in facet 0");
   EXPECT_HAS(read_refusal("a.stl", text.substr(0, text.find("endsolid"))), "without endsolid");
-  EXPECT_HAS(read_refusal("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 "
-                                   "0 0\nendloop\nendfacet\nendsolid\n"),
+  EXPECT_HAS(read_refusal("a.stl",
+                          "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 "
+                          "0 0\nendloop\nendfacet\nendsolid\n"),
              "facet 0 has 2 vertices (line 7)");
   EXPECT_HAS(read_refusal("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 x 0\n"),
              "'x' (line 4)");

@@ -20,7 +20,9 @@ TEST(WriteMesh, RoundTripsExactly) {
 TEST(WriteMesh, StlKeepsFloats) {
   TriangleMesh mesh = grid_surface(5, 4);
   for (Position& p : mesh.positions) {
-    for (double& c : p) c = static_cast<double>(static_cast<float>(c));
+    for (double& c : p) {
+      c = static_cast<double>(static_cast<float>(c));
+    }
   }
   const TemporaryFolder folder;
   write_mesh(folder.file("a.stl"), mesh);
