@@ -11,13 +11,16 @@
 namespace ucvt {
 namespace {
 
-/// Ptolemy flips happen only past this sum of doubled cosines.
-constexpr double delaunay_tolerance = 1e-11;
+/// Ptolemy flips happen only past this sum of doubled cosines, relative to its terms.
+constexpr double delaunay_tolerance = 1e-12;
+
+/// Flips per edge in one go past which a metric is out of the range of doubles.
+constexpr std::int64_t max_flips_per_edge = 100;
 
 constexpr int max_halvings = 40, halvings_before_pins = 6;
 
 /// A link vertex this much farther from the puncture than the pin, in log scale, has left the link.
-constexpr double pin_tolerance = 1e-12;
+constexpr double pin_tolerance = 1e-9;
 
 }  // namespace
 
@@ -37,33 +40,43 @@ double MetricSolver::half_chord(Halfedge h) const {
   return std::exp(t_.log_length[h.index()] + (ui + uj) / 2) / 2;
 }
 
+bool MetricSolver::beyond_pin(Halfedge from_puncture) const {
+  const Vertex v = t_.connectivity.head(from_puncture);
+  return 2 * t_.log_length[from_puncture.index()] + u_[v.index()] > pin_ + pin_tolerance;
+}
+
 bool MetricSolver::should_flip(Halfedge h) const {
   const Halfedge twin = t_.connectivity.twin(h);
   if (twin.face() == h.face()) {
     return false;
   }
+  for (const Halfedge g : {h, twin}) {
+    // The puncture sees only the nearest vertices, those at the distance of the pin.
+    if (role_[t_.connectivity.origin(g).index()] == VertexRole::puncture) {
+      return beyond_pin(g) && t_.connectivity.degree(t_.connectivity.origin(g)) > 3;
+    }
+  }
   // Twice the cosine of the angle opposite to the edge, in chords: the Delaunay condition of all
   // three geometries is that the two sum to no less than 0. At an infinitely far puncture it is 2.
-  const auto doubled_cosine = [&](Halfedge g) {
-    if (!has_geometry(g.face())) {
-      return 2.0;
-    }
-    const double a = half_[g.next().index()], b = half_[g.prev().index()], c = half_[g.index()];
-    return a / b + b / a - (c / a) * (c / b);
-  };
+  double sum = 0, scale = 0;
   for (const Halfedge g : {h, twin}) {
-    if (role_[t_.connectivity.origin(g).index()] != VertexRole::puncture) {
+    if (!has_geometry(g.face())) {
+      // Wait until the ends of an edge of the link have left it if they must.
+      if (beyond_pin(g.prev()) || beyond_pin(t_.connectivity.twin(g.next()))) {
+        return false;
+      }
+      sum += 2;
       continue;
     }
-    // The puncture sees only the nearest vertices, those at the distance of the pin.
-    const double beyond =
-        2 * t_.log_length[g.index()] + u_[t_.connectivity.head(g).index()] - pin_;
-    return beyond > pin_tolerance && t_.connectivity.degree(t_.connectivity.origin(g)) > 3;
+    const double a = half_[g.next().index()], b = half_[g.prev().index()], c = half_[g.index()];
+    const double positive = a / b + b / a, negative = (c / a) * (c / b);
+    sum += positive - negative;
+    scale += positive + negative;
   }
-  return doubled_cosine(h) + doubled_cosine(twin) < -delaunay_tolerance;
+  return sum < -delaunay_tolerance * scale;
 }
 
-void MetricSolver::flip_to_delaunay() {
+bool MetricSolver::flip_to_delaunay() {
   const Connectivity& c = t_.connectivity;
   for (std::size_t i = 0; i < half_.size(); ++i) {
     const Halfedge h{static_cast<std::int32_t>(i)};
@@ -71,23 +84,39 @@ void MetricSolver::flip_to_delaunay() {
       half_[i] = half_[c.twin(h).index()] = half_chord(h);
     }
   }
+  const std::int64_t limit =
+      t_.ptolemy_flips + max_flips_per_edge * static_cast<std::int64_t>(half_.size());
   for (std::size_t i = 0; i < half_.size(); ++i) {
     const Halfedge h{static_cast<std::int32_t>(i)};
-    if (c.is_canonical(h)) {
-      flip_from(h);
+    if (c.is_canonical(h) && !flip_from({h}, limit)) {
+      return false;
     }
   }
+  // What an abandoned step left in the puncture's link is pinned there, unless it went by itself.
+  std::vector<Halfedge> left;
+  for (std::size_t v = 0; v < role_.size(); ++v) {
+    if (role_[v] != VertexRole::puncture) {
+      continue;
+    }
+    c.for_outgoing({static_cast<std::int32_t>(v)}, [&](Halfedge h) {
+      if (role_[c.head(h).index()] == VertexRole::solved) {
+        pin(h, left);
+      }
+    });
+  }
+  return flip_from(std::move(left), limit);
 }
 
-void MetricSolver::flip_from(Halfedge first) {
+bool MetricSolver::flip_from(std::vector<Halfedge> stack, std::int64_t limit) {
   const Connectivity& c = t_.connectivity;
-  std::vector<Halfedge>& stack = stack_;
-  stack.assign(1, first);
   while (!stack.empty()) {
     const Halfedge h = stack.back();
     stack.pop_back();
     if (!should_flip(h)) {
       continue;
+    }
+    if (t_.ptolemy_flips >= limit) {
+      return false;
     }
     const Halfedge twin = c.twin(h);
     const double jk = half_[h.next().index()], ki = half_[h.prev().index()];
@@ -103,6 +132,7 @@ void MetricSolver::flip_from(Halfedge first) {
       }
     }
   }
+  return true;
 }
 
 void MetricSolver::pin(Halfedge from_puncture, std::vector<Halfedge>& changed) {
@@ -136,7 +166,7 @@ bool MetricSolver::face_angles(Face f, FaceAngles& out) const {
   for (std::size_t i = 0; i < 3; ++i) {
     x[i] = half_[side[i].index()];
   }
-  // S^2 = 16 Area^2 [+ 4 a^2 b^2 c^2] of half chords is a quarter of the chords' determinant squared.
+  // S^2 = 16 Area^2 - 4 kappa a^2 b^2 c^2 of half chords is a quarter of the chords' determinant squared.
   const double S = triangle_determinant(space_, {2 * x[0], 2 * x[1], 2 * x[2]}) / 2;
   if (!(S > 0)) {
     return false;
@@ -146,7 +176,7 @@ bool MetricSolver::face_angles(Face f, FaceAngles& out) const {
     const double cosine = a * a + (b - c) * (b + c);
     beta[i] = std::atan2(S, cosine);
     out.cot[i] = cosine / S;
-    out.t2[i] = space_.kappa < 0 ? c * c / (1 + c * c) : 0;
+    out.t2[i] = -space_.kappa * c * c / (1 - space_.kappa * c * c);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     out.angle[i] = std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
@@ -159,8 +189,7 @@ bool MetricSolver::evaluate() {
     return false;
   }
   pinned_.clear();
-  flip_to_delaunay();
-  if (!link_is_simple_) {
+  if (!flip_to_delaunay() || !link_is_simple_) {
     return false;
   }
   angle_sum_.assign(u_.size(), 0);
@@ -227,7 +256,8 @@ bool MetricSolver::newton_direction(std::vector<double>& direction) {
     }
   }
   std::vector<double> solution;
-  if (!solve_symmetric(entries, right, solution)) {
+  // Only on the sphere is the energy not convex.
+  if (!solve_symmetric(entries, right, solution, space_.kappa <= 0)) {
     return false;
   }
   direction.assign(u_.size(), 0);
@@ -270,7 +300,7 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
   }
   out.max_angle_error = gradient_max();
   std::vector<double> direction;
-  while (out.max_angle_error > 1e-13 && out.iterations < limit) {
+  while (out.max_angle_error > tolerance / 10 && out.iterations < limit) {
     if (!newton_direction(direction)) {
       break;
     }
@@ -289,8 +319,7 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
       const bool believed = pinned_.empty() || halving >= halvings_before_pins;
       if (in_range && believed) {
         const double s = slope(direction);
-        accepted =
-            !pinned_.empty() || (s <= slope0 / 2 && (s <= 0 || gradient_norm2() < norm0));
+        accepted = !pinned_.empty() || (s <= slope0 / 2 && (s <= 0 || gradient_norm2() < norm0));
       }
       if (!accepted) {
         unpin();
@@ -306,9 +335,6 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
     out.max_angle_error = gradient_max();
     ++out.iterations;
     if (watch && !watch(out.iterations, out.max_angle_error)) {
-      break;
-    }
-    if (out.max_angle_error < tolerance / 10) {
       break;
     }
   }

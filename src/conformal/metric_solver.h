@@ -21,7 +21,8 @@ enum class VertexRole : char { solved, held, puncture };
 
 class MetricSolver {
  public:
-  /// Solves on `t` (Delaunay already), starting from `u`. kappa 0 or -1. Both are changed in place.
+  /// Solves on `t` (Delaunay already), starting from `u`; both are changed in place. On the sphere the
+  /// energy is not convex: u must be close to a solution, and three vertices be held.
   MetricSolver(Space space, IntrinsicTriangulation& t, std::vector<double>& u,
                std::vector<VertexRole> role);
 
@@ -38,8 +39,9 @@ class MetricSolver {
   Result solve(double tolerance, int limit, const Watch& watch);
 
   /// Flips every edge that is not Delaunay at the present u; edges at the puncture stay, edges
-  /// opposite to it flip when the face behind them would break the triangle inequality.
-  void flip_to_delaunay();
+  /// opposite to it flip when the face behind them would break the triangle inequality. False when
+  /// flips do not end: the metric is out of the range of doubles.
+  bool flip_to_delaunay();
 
   /// Angle sums at the present u over the faces that have geometry, in radians.
   [[nodiscard]] const std::vector<double>& angle_sums();
@@ -58,8 +60,9 @@ class MetricSolver {
   };
   [[nodiscard]] bool has_geometry(Face f) const;
   [[nodiscard]] double half_chord(Halfedge h) const;
+  [[nodiscard]] bool beyond_pin(Halfedge from_puncture) const;
   [[nodiscard]] bool should_flip(Halfedge h) const;
-  void flip_from(Halfedge first);
+  bool flip_from(std::vector<Halfedge> stack, std::int64_t limit);
   void unpin();
   void pin(Halfedge from_puncture, std::vector<Halfedge>& changed);
   /// False when the face has collapsed.
@@ -78,7 +81,6 @@ class MetricSolver {
   std::vector<double> half_;      ///< half chords by halfedge, at the present u
   std::vector<double> gradient_;  ///< 2 pi - angle sum of solved vertices, 0 elsewhere
   std::vector<double> angle_sum_;
-  std::vector<Halfedge> stack_;
   double pin_ = 0;
   std::vector<Vertex> pinned_;  ///< by the last evaluation
   bool link_is_simple_ = true;

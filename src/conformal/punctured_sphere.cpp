@@ -1,6 +1,7 @@
 #include "conformal/punctured_sphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -13,7 +14,7 @@ namespace {
 
 /// Punctures tried before giving up, rounds of changes to the link for each, and the angle by which
 /// a link vertex must turn inwards before it is let go.
-constexpr int max_punctures = 64, max_rounds = 100;
+constexpr int max_punctures = 64, max_rounds = 100, max_polish_steps = 10;
 constexpr double reflex_tolerance = 1e-9;
 
 /// Least angle sum below pi opposite to the edges of a vertex' star, or nothing when the star
@@ -176,9 +177,11 @@ double median_distance(const std::vector<PlanePoint>& p, const std::vector<doubl
   return by_distance.back().first;
 }
 
-/// Lays the plane out about the barycentre and moves the log scales onto the sphere.
-void wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u, Vertex puncture,
-                      double pin, const std::vector<double>& weight) {
+/// Lays the plane out about the barycentre and moves the log scales onto the sphere. Returns three
+/// vertices far apart there: the puncture, its antipode and one between them.
+std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u,
+                                       Vertex puncture, double pin,
+                                       const std::vector<double>& weight) {
   // Positions are accurate relative to their distance from the root of the layout, so the root has
   // to be at the middle of the weight: find it, lay out again about it, until it stays.
   Vertex root{puncture.id == 0 ? 1 : 0};
@@ -194,6 +197,8 @@ void wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u, V
     }
     root = next;
   }
+  std::array<Vertex, 3> apart{puncture, root, {}};
+  double least = HUGE_VAL;
   for (std::size_t v = 0; v < p.size(); ++v) {
     if (v == puncture.index()) {
       continue;
@@ -201,11 +206,27 @@ void wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u, V
     const double x = (p[v].x - frame.centre.x) / frame.scale;
     const double y = (p[v].y - frame.centre.y) / frame.scale;
     const double r = std::hypot(x, y);
+    if (v != root.index() && std::abs(std::log(r)) < least) {
+      least = std::abs(std::log(r));
+      apart[2] = {static_cast<std::int32_t>(v)};
+    }
     // log(2 / (scale (1 + r^2))), also where r^2 would overflow.
     const double log_1_r2 = r < 1e8 ? std::log1p(r * r) : 2 * std::log(r);
     u[v] += std::log(2.0) - std::log(frame.scale) - log_1_r2;
   }
   u[puncture.index()] = std::log(2.0) + std::log(frame.scale) - pin;
+  return apart;
+}
+
+/// Newton's method on the sphere itself takes off what the way there left: rounding of the layout,
+/// and link vertices so nearly straight that neither side of the bound holds them to 1e-10.
+MetricSolver::Result polish(IntrinsicTriangulation& t, std::vector<double>& u,
+                            const std::array<Vertex, 3>& held, const MetricSolver::Watch& watch) {
+  std::vector<VertexRole> role(u.size(), VertexRole::solved);
+  for (const Vertex v : held) {
+    role[v.index()] = VertexRole::held;
+  }
+  return MetricSolver({1}, t, u, std::move(role)).solve(1e-10, max_polish_steps, watch);
 }
 
 }  // namespace
@@ -235,9 +256,14 @@ MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>
     if (!result.converged) {
       continue;
     }
-    wrap_onto_sphere(t, u, puncture, plane.pin(), weight);
-    out.converged = true;
-    return out;
+    const auto apart = wrap_onto_sphere(t, u, puncture, plane.pin(), weight);
+    const auto polished = polish(t, u, apart, watch);
+    out.iterations += polished.iterations;
+    out.max_angle_error = polished.max_angle_error;
+    out.converged = polished.converged;
+    if (out.converged) {
+      return out;
+    }
   }
   return out;
 }

@@ -22,7 +22,7 @@ struct Triplet {
 }  // namespace
 
 bool solve_symmetric(const SymmetricEntries& matrix, const std::vector<double>& right,
-                     std::vector<double>& solution) {
+                     std::vector<double>& solution, bool positive_definite) {
   solution.assign(right.size(), 0);
   if (right.empty()) {
     return true;
@@ -31,7 +31,8 @@ bool solve_symmetric(const SymmetricEntries& matrix, const std::vector<double>& 
   const auto& e = matrix.entries();
   a.setFromTriplets(Triplet{e.data()}, Triplet{e.data() + e.size()});
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky(a);
-  if (cholesky.info() != Eigen::Success || !(cholesky.vectorD().minCoeff() > 0)) {
+  if (cholesky.info() != Eigen::Success ||
+      (positive_definite && !(cholesky.vectorD().minCoeff() > 0))) {
     return false;
   }
   const auto n = static_cast<Eigen::Index>(right.size());

@@ -1,4 +1,4 @@
-// Sparse symmetric positive definite systems: the one place that knows which library solves them.
+// Sparse symmetric systems: the one place that knows which library solves them.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +28,9 @@ class SymmetricEntries {
   std::vector<Entry> entries_;
 };
 
-/// Solves for the right-hand side by Cholesky factorization. Returns false when the matrix is not
-/// positive definite to rounding.
+/// Solves for the right-hand side by an LDL^T factorization. Returns false when the matrix is
+/// singular or, where that is asked for, not positive definite to rounding.
 bool solve_symmetric(const SymmetricEntries& matrix, const std::vector<double>& right,
-                     std::vector<double>& solution);
+                     std::vector<double>& solution, bool positive_definite);
 
 }  // namespace ucvt

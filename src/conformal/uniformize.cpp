@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include <fmt/format.h>
+
 #include "conformal/metric_solver.h"
 #include "conformal/punctured_sphere.h"
 #include "ucvt/error.h"
@@ -83,8 +85,8 @@ void certify(const UniformSurface& t, UniformizationReport& report) {
     report.area += t.area({static_cast<std::int32_t>(f)});
   }
   if (report.max_angle_error > angle_tolerance) {
-    throw NumericalError("uniformization left an angle error of " +
-                         std::to_string(report.max_angle_error) + " radians");
+    throw NumericalError(fmt::format("uniformization left an angle error of {:.1e} radians",
+                                     report.max_angle_error));
   }
   const double wanted =
       t.space().kappa == 0 ? 1
@@ -122,8 +124,8 @@ Uniformized uniformize(const ClosedSurface& surface, double longest_edge, const 
     throw Cancelled("interrupted during uniformization");
   }
   if (!solution.result.converged) {
-    throw NumericalError("uniformization stopped at an angle error of " +
-                         std::to_string(solution.result.max_angle_error) + " radians");
+    throw NumericalError(fmt::format("uniformization stopped at an angle error of {:.1e} radians",
+                                     solution.result.max_angle_error));
   }
   const double kappa = surface.genus == 0 ? 1 : surface.genus == 1 ? 0 : -1;
   UniformSurface uniform({kappa}, t.connectivity, chords(t, solution.u));
