@@ -13,9 +13,9 @@ namespace ucvt {
 namespace {
 
 /// Punctures tried before giving up, rounds of changes to the link for each, and the angle by which
-/// a link vertex must turn inwards before it is let go.
+/// a link vertex must turn inwards before it is let go: less than that the sphere itself mends.
 constexpr int max_punctures = 64, max_rounds = 100, max_polish_steps = 10;
-constexpr double reflex_tolerance = 1e-9;
+constexpr double reflex_tolerance = 1e-3;
 
 /// Least angle sum below pi opposite to the edges of a vertex' star, or nothing when the star
 /// touches itself: how safely Delaunay the star is.
@@ -177,8 +177,39 @@ double median_distance(const std::vector<PlanePoint>& p, const std::vector<doubl
   return by_distance.back().first;
 }
 
+/// The puncture, which is the north pole, the vertex nearest to the equator, and the one farthest
+/// from the plane of those two.
+std::array<Vertex, 3> apart_on_sphere(const std::vector<PlanePoint>& p, Vertex puncture,
+                                      const StereographicFrame& frame) {
+  std::array<Vertex, 3> out{puncture, {}, {}};
+  PlanePoint axis;
+  for (std::size_t place = 1; place < 3; ++place) {
+    double best = -1;
+    for (std::size_t v = 0; v < p.size(); ++v) {
+      const Vertex vertex{static_cast<std::int32_t>(v)};
+      if (vertex == puncture || vertex == out[1]) {
+        continue;
+      }
+      const double x = (p[v].x - frame.centre.x) / frame.scale;
+      const double y = (p[v].y - frame.centre.y) / frame.scale;
+      const double r = std::hypot(x, y), horizontal = r < 1 ? r / (1 + r * r) : 1 / (r + 1 / r);
+      // Twice this is the distance from the polar axis, then from the plane through it and out[1].
+      const double score =
+          place == 1 ? horizontal : horizontal * std::abs(axis.x * y - axis.y * x) / r;
+      if (score > best) {
+        best = score;
+        out[place] = vertex;
+        if (place == 1) {
+          axis = {x / r, y / r};
+        }
+      }
+    }
+  }
+  return out;
+}
+
 /// Lays the plane out about the barycentre and moves the log scales onto the sphere. Returns three
-/// vertices far apart there: the puncture, its antipode and one between them.
+/// vertices in about orthogonal directions there.
 std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u,
                                        Vertex puncture, double pin,
                                        const std::vector<double>& weight) {
@@ -197,8 +228,6 @@ std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vec
     }
     root = next;
   }
-  std::array<Vertex, 3> apart{puncture, root, {}};
-  double least = HUGE_VAL;
   for (std::size_t v = 0; v < p.size(); ++v) {
     if (v == puncture.index()) {
       continue;
@@ -206,16 +235,12 @@ std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vec
     const double x = (p[v].x - frame.centre.x) / frame.scale;
     const double y = (p[v].y - frame.centre.y) / frame.scale;
     const double r = std::hypot(x, y);
-    if (v != root.index() && std::abs(std::log(r)) < least) {
-      least = std::abs(std::log(r));
-      apart[2] = {static_cast<std::int32_t>(v)};
-    }
     // log(2 / (scale (1 + r^2))), also where r^2 would overflow.
     const double log_1_r2 = r < 1e8 ? std::log1p(r * r) : 2 * std::log(r);
     u[v] += std::log(2.0) - std::log(frame.scale) - log_1_r2;
   }
   u[puncture.index()] = std::log(2.0) + std::log(frame.scale) - pin;
-  return apart;
+  return apart_on_sphere(p, puncture, frame);
 }
 
 /// Newton's method on the sphere itself takes off what the way there left: rounding of the layout,

@@ -75,23 +75,24 @@ std::vector<Offset> UniformSurface::vertex_frames() const {
   return out;
 }
 
-namespace {
-
-/// sum b_v P_v, scaled onto the space, as an offset.
-Offset combine(Space s, const std::array<Offset, 3>& corner, const std::array<double, 3>& b,
-               double chord_form) {
-  const double root = std::sqrt(1 - s.kappa * chord_form), w = 1 / root;
-  Offset p;
+Offset point_in_frame(const UniformSurface& t, const SurfacePoint& p,
+                      const std::array<Offset, 3>& corner) {
+  const Space s = t.space();
+  const auto& b = p.bary;
+  const ChordTriangle tri = t.triangle(p.face);
+  const double form =
+      b[0] * b[1] * tri.chord2[0] + b[1] * b[2] * tri.chord2[1] + b[2] * b[0] * tri.chord2[2];
+  // sum b_v P_v, scaled onto the space.
+  const double root = std::sqrt(1 - s.kappa * form), w = 1 / root;
+  Offset out;
   for (std::size_t i = 0; i < 3; ++i) {
-    p.x += w * b[i] * corner[i].x;
-    p.y += w * b[i] * corner[i].y;
-    p.h += w * b[i] * corner[i].h;
+    out.x += w * b[i] * corner[i].x;
+    out.y += w * b[i] * corner[i].y;
+    out.h += w * b[i] * corner[i].h;
   }
-  p.h -= w * chord_form / (1 + root);
-  return on_quadric(s, p);
+  out.h -= w * form / (1 + root);
+  return on_quadric(s, out);
 }
-
-}  // namespace
 
 Place place_of(const UniformSurface& t, const SurfacePoint& p) {
   const Space s = t.space();
@@ -100,10 +101,7 @@ Place place_of(const UniformSurface& t, const SurfacePoint& p) {
   const std::array<Offset, 3> corner{
       Offset{}, from_chord(s, t.chord(side[0]), 1, 0),
       from_chord(s, t.chord(side[2]), std::cos(turn), std::sin(turn))};
-  const ChordTriangle tri = t.triangle(p.face);
-  const double form = p.bary[0] * p.bary[1] * tri.chord2[0] +
-                      p.bary[1] * p.bary[2] * tri.chord2[1] + p.bary[2] * p.bary[0] * tri.chord2[2];
-  const Offset at = combine(s, corner, p.bary, form);
+  const Offset at = point_in_frame(t, p, corner);
   Place out{p.face, {}};
   for (std::size_t i = 0; i < 3; ++i) {
     out.corner[i] = on_quadric(s, transvect_back(s, at, corner[i]));

@@ -74,6 +74,10 @@ struct Place {
   std::array<Offset, 3> corner;
 };
 
+/// The offset of a surface point in the frame that its face's corners are given in.
+Offset point_in_frame(const UniformSurface& t, const SurfacePoint& p,
+                      const std::array<Offset, 3>& corner);
+
 /// The place of a surface point, in the frame carried parallel from the face's corner 0, whose
 /// frame has its first axis along side 0.
 Place place_of(const UniformSurface& t, const SurfacePoint& p);

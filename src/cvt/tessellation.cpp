@@ -1,0 +1,135 @@
+#include "cvt/tessellation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+namespace ucvt {
+namespace {
+
+/// Sites closer than this to an edge of their face, in barycentric terms, are moved off it, so that
+/// they can be told from T's vertices while those are still there.
+constexpr double least_bary = 1e-6;
+
+SurfacePoint off_the_edges(SurfacePoint p) {
+  double sum = 0;
+  for (double& b : p.bary) {
+    sum += b = std::max(b, least_bary);
+  }
+  for (double& b : p.bary) {
+    b /= sum;
+  }
+  return p;
+}
+
+DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<SurfacePoint>& sites,
+                                  std::vector<Place>& places) {
+  const Connectivity& c = t.connectivity();
+  const std::vector<Offset> frames = t.vertex_frames();
+  DelaunayTriangulation d(t.space(), c, frames);
+  places.clear();
+  for (const SurfacePoint& site : sites) {
+    const SurfacePoint p = off_the_edges(site);
+    const auto nearest =
+        static_cast<std::size_t>(std::max_element(p.bary.begin(), p.bary.end()) - p.bary.begin());
+    const Halfedge h = halfedges(p.face)[nearest];
+    std::array<Offset, 3> corner;
+    corner[nearest] = {};
+    corner[(nearest + 1) % 3] = frames[h.index()];
+    corner[(nearest + 2) % 3] = frames[c.rotate(h).index()];
+    const Offset at = point_in_frame(t, p, corner);
+    Place place{p.face, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      place.corner[i] = on_quadric(t.space(), transvect_back(t.space(), at, corner[i]));
+    }
+    places.push_back(place);
+    d.insert(c.origin(h), {at, {}});
+  }
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    d.remove({static_cast<std::int32_t>(v)});
+  }
+  d.compact();
+  d.make_delaunay();
+  return d;
+}
+
+}  // namespace
+
+Tessellation::Tessellation(const CellIntegrator& integrator, const std::vector<SurfacePoint>& sites)
+    : integrator_(integrator), d_(triangulate(integrator.surface(), sites, places_)) {}
+
+std::vector<SurfacePoint> Tessellation::sites() const {
+  std::vector<SurfacePoint> out;
+  for (const Place& p : places_) {
+    out.push_back(point_of(p));
+  }
+  return out;
+}
+
+std::vector<Moments> Tessellation::cell_moments(const CellIntegrator& integrator) const {
+  struct Scratch {
+    CellIntegrator::Workspace work;
+    std::vector<Offset> neighbours;
+  };
+  std::vector<Moments> out(places_.size());
+  tbb::enumerable_thread_specific<Scratch> scratch(
+      [&] { return Scratch{CellIntegrator::Workspace(integrator), {}}; });
+  tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t i) {
+    Scratch& s = scratch.local();
+    s.neighbours.clear();
+    d_.connectivity().for_outgoing({static_cast<std::int32_t>(i)},
+                                   [&](Halfedge h) { s.neighbours.push_back(d_.offset(h)); });
+    out[i] = integrator.integrate(places_[i], s.neighbours, s.work);
+  });
+  return out;
+}
+
+void Tessellation::move(const std::vector<Offset>& target) {
+  std::vector<Offset> reached(target.size());
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    reached[i] = d_.move({static_cast<std::int32_t>(i)}, target[i]);
+  }
+  d_.make_delaunay();
+  tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t i) {
+    move_place(integrator_.surface(), places_[i], reached[i]);
+  });
+}
+
+double Tessellation::spacing(Vertex site) const {
+  double sum = 0;
+  int n = 0;
+  d_.connectivity().for_outgoing(site, [&](Halfedge h) {
+    sum += std::sqrt(2 * d_.offset(h).h);
+    ++n;
+  });
+  return sum / n;
+}
+
+LloydResult lloyd(Tessellation& sites, const LloydOptions& options, const Monitor& monitor) {
+  LloydResult out;
+  const Space space = sites.delaunay().space();
+  std::vector<Offset> target(sites.site_count());
+  for (int iteration = 0; iteration < options.iterations; ++iteration) {
+    const std::vector<Moments> moments = sites.cell_moments();
+    double energy = 0, max_move = 0;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      energy += 2 * moments[i].h;
+      target[i] = centroid(space, moments[i]);
+      max_move = std::max(
+          max_move, std::sqrt(2 * target[i].h) / sites.spacing({static_cast<std::int32_t>(i)}));
+    }
+    out.energy.push_back(energy);
+    out.max_move.push_back(max_move);
+    sites.move(target);
+    out.cancelled = monitor && !monitor({"optimize", iteration + 1, max_move});
+    out.converged = max_move <= options.tolerance;
+    if (out.cancelled || out.converged) {
+      break;
+    }
+  }
+  return out;
+}
+
+}  // namespace ucvt
