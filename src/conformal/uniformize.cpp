@@ -98,18 +98,18 @@ void certify(const UniformSurface& t, UniformizationReport& report) {
 
 }  // namespace
 
-Uniformized uniformize(const ClosedSurface& surface, double longest_edge, const Monitor& monitor) {
+Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   IntrinsicTriangulation t = intrinsic_triangulation(surface.mesh);
   make_euclidean_delaunay(t);
-  if (longest_edge > 0) {
-    refine(t, longest_edge);
+  if (options.longest_edge > 0) {
+    refine(t, options.longest_edge);
   }
   std::vector<double> vertex_area = euclidean_vertex_areas(t);
   const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
   bool cancelled = false;
   const MetricSolver::Watch watch = [&](int iteration, double error) {
-    cancelled = monitor && !monitor({"uniformize", iteration, error});
+    cancelled = options.monitor && !options.monitor({"uniformize", iteration, error});
     return !cancelled;
   };
   Solution solution;
@@ -139,10 +139,11 @@ Uniformized uniformize(const ClosedSurface& surface, double longest_edge, const 
   report.log_scale_min = *low, report.log_scale_max = *high;
   certify(uniform, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {std::move(t), std::move(solution.u), std::move(vertex_area), std::move(uniform), report};
+  return {surface.mesh,           std::move(t),       std::move(solution.u),
+          std::move(vertex_area), std::move(uniform), report};
 }
 
-std::vector<Position> positions_on_input(const Uniformized& t, const TriangleMesh& input,
+std::vector<Position> positions_on_input(const Uniformized& t,
                                          const std::vector<SurfacePoint>& points) {
   // A chord triangle of T and the light-cone vectors of its corners differ by the factors exp(u).
   std::vector<HomogeneousPoint> carried;
@@ -167,9 +168,9 @@ std::vector<Position> positions_on_input(const Uniformized& t, const TriangleMes
     Position at{};
     const double sum = h.weight[0] + h.weight[1] + h.weight[2];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto v = static_cast<std::size_t>(input.faces[h.face.index()][i]);
+      const auto v = static_cast<std::size_t>(t.input.faces[h.face.index()][i]);
       for (std::size_t c = 0; c < 3; ++c) {
-        at[c] += h.weight[i] / sum * input.positions[v][c];
+        at[c] += h.weight[i] / sum * t.input.positions[v][c];
       }
     }
     out.push_back(at);

@@ -20,6 +20,7 @@ class Tessellation {
 
   [[nodiscard]] const DelaunayTriangulation& delaunay() const { return d_; }
   [[nodiscard]] std::size_t site_count() const { return places_.size(); }
+  [[nodiscard]] const Place& place(Vertex site) const { return places_[site.index()]; }
   [[nodiscard]] std::vector<SurfacePoint> sites() const;
 
   /// Moments of every cell, each in its site's frame, under the integrator's density or another

@@ -2,7 +2,8 @@
 
 #include <bit>
 #include <cstring>
-#include <numeric>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,12 +47,12 @@ std::vector<SurfacePoint> vertices_as_points(const Connectivity& c) {
 
 }  // namespace
 
-void write_surface(const std::string& path, const Uniformized& t, const TriangleMesh& input) {
+void write_surface(const std::string& path, const Uniformized& t) {
   const Connectivity& c = t.surface.connectivity();
   std::string out = header(t);
-  std::vector<Position> position = input.positions;
+  std::vector<Position> position = t.input.positions;
   if (c.vertex_count() > position.size()) {
-    const auto carried = positions_on_input(t, input, vertices_as_points(c));
+    const auto carried = positions_on_input(t, vertices_as_points(c));
     position.insert(position.end(), carried.begin() + static_cast<std::ptrdiff_t>(position.size()),
                     carried.end());
   }
@@ -88,6 +89,22 @@ void write_surface(const std::string& path, const Uniformized& t, const Triangle
   OutputFile file(path);
   file.write(out);
   file.commit();
+}
+
+UniformizedSurface::UniformizedSurface(std::shared_ptr<const Uniformized> value)
+    : value_(std::move(value)) {}
+
+const UniformizationReport& UniformizedSurface::report() const {
+  return value_->report;
+}
+
+void UniformizedSurface::write(const std::string& path) const {
+  write_surface(path, *value_);
+}
+
+UniformizedSurface uniformize(const ClosedSurface& surface, const UniformizeOptions& options) {
+  return UniformizedSurface(
+      std::make_shared<const Uniformized>(uniformize_surface(surface, options)));
 }
 
 }  // namespace ucvt

@@ -1,0 +1,97 @@
+// Remeshing: a centroidal Voronoi tessellation on the uniformized surface, and its dual mesh.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ucvt/mesh.h"
+#include "ucvt/uniformize.h"
+
+namespace ucvt {
+
+/// A site: a face of T and barycentric coordinates in its chord triangle.
+struct Site {
+  std::int32_t face = 0;
+  std::array<double, 3> bary{1.0 / 3, 1.0 / 3, 1.0 / 3};
+};
+
+enum class InitialSites { random, farthest };
+
+struct RemeshOptions {
+  int sites = 1000;
+  std::uint64_t seed = 1;
+  InitialSites init = InitialSites::random;
+  std::vector<Site> initial_sites;  ///< when not empty: start here; their number is `sites`
+  int iterations = 1000;            ///< of Lloyd's method, at most
+  double tolerance = 1e-4;          ///< of the largest move, relative to the site's spacing
+  bool ensure_simplicial = true;    ///< add the few sites that a simplicial dual mesh needs
+  int threads = 0;                  ///< 0: all cores; results do not depend on it
+  Monitor monitor;
+};
+
+/// Mean, coefficient of variation and range.
+struct Spread {
+  double mean = 0, cv = 0, min = 0, max = 0;
+};
+
+struct CvtReport {
+  std::string method = "lloyd";
+  std::int64_t sites = 0;
+  int iterations = 0;
+  bool converged = false;
+  std::vector<double> energy;    ///< sum over cells of int rho chord^2, before each iteration
+  std::vector<double> max_move;  ///< largest move relative to the site's spacing
+  double seconds = 0;
+};
+
+/// The paper's measures of uniformity (its section 5.3), in the uniform metric.
+struct UniformityReport {
+  Spread radius, nearest, area;
+  std::map<int, std::int64_t> degree;  ///< sites by number of neighbours
+  double hexagons = 0;                 ///< share of degree 6
+};
+
+/// A mesh's triangles: Q = 6/sqrt(3) area/(half perimeter x longest edge), angles in degrees.
+struct MeshQuality {
+  double q_min = 0, q_avg = 0;
+  double angle_min_deg = 0, angle_min_avg_deg = 0;
+  double below_30 = 0;  ///< share of triangles with an angle below 30 degrees
+  double regular = 0;   ///< share of vertices of degree 6
+};
+
+/// Measures a triangle mesh. Requires at least one face.
+MeshQuality measure_quality(const TriangleMesh& mesh);
+
+struct RemeshReport {
+  std::int64_t vertices = 0, faces = 0;
+  int genus = 0;
+  bool simplicial = false;
+  std::int64_t sites_added = 0;
+  MeshQuality quality;
+};
+
+struct RemeshResult {
+  TriangleMesh mesh;            ///< dual mesh: closed, oriented, of the input's genus
+  UniformizedSurface surface;   ///< T as it was used, refined for the number of sites
+  std::vector<Site> sites;      ///< on T; site i is vertex i of the mesh
+  std::vector<double> density;  ///< at the vertices of T
+  CvtReport cvt;
+  UniformityReport uniformity;
+  Spread cell_area_3d;  ///< cell areas on the input surface, in its units
+  RemeshReport report;
+};
+
+/// Remeshes a closed surface with a CVT of uniform density on the surface.
+///
+/// Running out of iterations is a status (`cvt.converged`), not an error. Throws InvalidInput when
+/// the options do not fit (fewer than four sites on a sphere, fewer than one elsewhere, initial
+/// sites that do not lie on T), Cancelled when the monitor said so, NumericalError as `uniformize`.
+RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options = {});
+
+/// Reads and writes the sites of a tessellation as JSON (docs/formats.md).
+std::vector<Site> read_sites(const std::string& path);
+void write_sites(const std::string& path, const RemeshResult& result);
+
+}  // namespace ucvt

@@ -1,0 +1,192 @@
+#include "ucvt/remesh.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "cvt/initial_sites.h"
+#include "cvt/tessellation.h"
+#include "cvt/uniformity.h"
+#include "result/density.h"
+#include "result/dual_mesh.h"
+#include "ucvt/error.h"
+
+namespace ucvt {
+namespace {
+
+/// T's edges on the input surface, in units of the hexagonal spacing of the sites: cells then hold
+/// a dozen of T's faces at least, which resolves the density across them.
+constexpr double edge_per_spacing = 0.5;
+
+/// Rounds of adding sites for a simplicial dual mesh; each adds one for every edge in the way.
+constexpr int max_simplicial_rounds = 30;
+
+double longest_edge_for(const TriangleMesh& mesh, int sites) {
+  const double cell = survey(mesh).area / sites;
+  return edge_per_spacing * std::sqrt(2 * cell / std::numbers::sqrt3);
+}
+
+void check_count(const ClosedSurface& surface, int sites) {
+  const int least = surface.genus == 0 ? 4 : 1;
+  if (sites < least) {
+    throw InvalidInput(fmt::format("{} sites are too few for genus {}; ask for at least {}", sites,
+                                   surface.genus, least));
+  }
+}
+
+std::vector<SurfacePoint> as_points(const std::vector<Site>& sites, std::size_t faces) {
+  std::vector<SurfacePoint> out;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Site& s = sites[i];
+    double sum = 0;
+    bool valid = s.face >= 0 && static_cast<std::size_t>(s.face) < faces;
+    for (const double b : s.bary) {
+      valid = valid && b >= 0, sum += b;
+    }
+    if (!valid || !(std::abs(sum - 1) < 1e-6)) {
+      throw InvalidInput(
+          fmt::format("initial site {} (face {}) does not lie on the surface, which "
+                      "has {} faces; give sites made for the same mesh and count",
+                      i, s.face, faces));
+    }
+    out.push_back({{s.face}, s.bary});
+  }
+  return out;
+}
+
+std::vector<SurfacePoint> initial_sites(const Uniformized& t, const std::vector<double>& factor,
+                                        const RemeshOptions& options) {
+  if (!options.initial_sites.empty()) {
+    return as_points(options.initial_sites, t.surface.connectivity().face_count());
+  }
+  const auto n = static_cast<std::size_t>(options.sites);
+  if (options.init == InitialSites::random) {
+    return random_sites(t.surface, factor, n, options.seed);
+  }
+  const Connectivity& c = t.surface.connectivity();
+  if (n > c.vertex_count()) {
+    throw InvalidInput(
+        fmt::format("farthest-point sites are vertices of the refined surface, "
+                    "which has {}; start from random sites",
+                    c.vertex_count()));
+  }
+  std::vector<double> length;
+  for (const double l : t.intrinsic.log_length) {
+    length.push_back(std::exp(l));
+  }
+  return farthest_sites(t.surface, length, n, options.seed);
+}
+
+/// The middle of an edge of D.
+SurfacePoint midpoint(const Tessellation& sites, const UniformSurface& t, Halfedge h) {
+  const Space s = t.space();
+  const Offset& to = sites.delaunay().offset(h);
+  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
+  const double r = std::hypot(to.x, to.y);
+  Place place = sites.place(sites.delaunay().connectivity().origin(h));
+  move_place(t, place, from_chord(s, half, to.x / r, to.y / r));
+  return point_of(place);
+}
+
+class Remesher {
+ public:
+  Remesher(const ClosedSurface& surface, const RemeshOptions& options)
+      : options_(options),
+        surface_(
+            uniformize(surface, {longest_edge_for(surface.mesh, options.sites), options.monitor})),
+        t_(surface_.value()),
+        factor_(conformal_factor(t_)),
+        integrator_(t_.surface, uniform_sizing_density(factor_)) {}
+
+  RemeshResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    sites_.emplace(integrator_, initial_sites(t_, factor_, options_));
+    optimize();
+    std::int64_t added = 0;
+    for (int round = 0; options_.ensure_simplicial && round < max_simplicial_rounds; ++round) {
+      const auto in_the_way = edges_not_simplicial(sites_->delaunay());
+      if (in_the_way.empty()) {
+        break;
+      }
+      std::vector<SurfacePoint> more = sites_->sites();
+      for (const Halfedge h : in_the_way) {
+        more.push_back(midpoint(*sites_, t_.surface, h));
+      }
+      added += static_cast<std::int64_t>(in_the_way.size());
+      sites_.emplace(integrator_, more);
+      optimize();
+    }
+    cvt_.sites = static_cast<std::int64_t>(sites_->site_count());
+    cvt_.iterations = static_cast<int>(cvt_.energy.size());
+    cvt_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return collect(added);
+  }
+
+ private:
+  void optimize() {
+    auto result = lloyd(*sites_, {options_.iterations, options_.tolerance}, options_.monitor);
+    cvt_.energy.insert(cvt_.energy.end(), result.energy.begin(), result.energy.end());
+    cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin(), result.max_move.end());
+    cvt_.converged = result.converged;
+    if (result.cancelled) {
+      throw Cancelled("interrupted; no output was written");
+    }
+  }
+
+  [[nodiscard]] RemeshResult collect(std::int64_t added) const {
+    const DelaunayTriangulation& d = sites_->delaunay();
+    const std::vector<SurfacePoint> points = sites_->sites();
+    RemeshResult out{
+        dual_mesh(t_, d, points), surface_, {}, integrator_.density(), cvt_, {}, {}, {}};
+    for (const SurfacePoint& p : points) {
+      out.sites.push_back({p.face.id, p.bary});
+    }
+    out.uniformity = measure_uniformity(d);
+    const CellIntegrator area_on_input(t_.surface, factor_);
+    std::vector<double> areas;
+    for (const Moments& m : sites_->cell_moments(area_on_input)) {
+      areas.push_back(m.m);
+    }
+    out.cell_area_3d = spread_of(areas);
+    RemeshReport& r = out.report;
+    r.vertices = static_cast<std::int64_t>(out.mesh.positions.size());
+    r.faces = static_cast<std::int64_t>(out.mesh.faces.size());
+    r.genus = static_cast<int>(1 - d.connectivity().euler_number() / 2);
+    r.simplicial = edges_not_simplicial(d).empty();
+    r.sites_added = added;
+    r.quality = measure_quality(out.mesh);
+    return out;
+  }
+
+  const RemeshOptions& options_;
+  UniformizedSurface surface_;
+  const Uniformized& t_;
+  std::vector<double> factor_;
+  CellIntegrator integrator_;
+  std::optional<Tessellation> sites_;
+  CvtReport cvt_;
+};
+
+}  // namespace
+
+RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options) {
+  RemeshOptions used = options;
+  if (!used.initial_sites.empty()) {
+    used.sites = static_cast<int>(used.initial_sites.size());
+  }
+  check_count(surface, used.sites);
+  std::optional<tbb::global_control> limit;
+  if (used.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(used.threads));
+  }
+  return Remesher(surface, used).run();
+}
+
+}  // namespace ucvt

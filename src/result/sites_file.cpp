@@ -1,0 +1,80 @@
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "mesh/output_file.h"
+#include "ucvt/error.h"
+#include "ucvt/remesh.h"
+
+namespace ucvt {
+namespace {
+
+std::string slurp(const std::string& path) {
+  const auto all = [](std::istream& in) {
+    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  };
+  if (path == "-") {
+    return all(std::cin);
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw IoError("cannot be opened; check the path and its permissions");
+  }
+  std::string text = all(file);
+  if (file.bad()) {
+    throw IoError("cannot be read; check the disk");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Site> read_sites(const std::string& path) {
+  const auto json = nlohmann::json::parse(slurp(path), nullptr, false);
+  const auto wrong = [](const std::string& what) {
+    return InvalidInput(what + "; give a file that --sites wrote");
+  };
+  if (json.is_discarded()) {
+    throw wrong("is not JSON");
+  }
+  if (!json.is_object() || !json.contains("sites") || !json["sites"].is_array()) {
+    throw wrong("has no list \"sites\"");
+  }
+  std::vector<Site> out;
+  for (const auto& entry : json["sites"]) {
+    const bool valid = entry.is_object() && entry.contains("face") &&
+                       entry["face"].is_number_integer() && entry.contains("bary") &&
+                       entry["bary"].is_array() && entry["bary"].size() == 3 &&
+                       std::all_of(entry["bary"].begin(), entry["bary"].end(),
+                                   [](const auto& b) { return b.is_number(); });
+    if (!valid) {
+      throw wrong(
+          fmt::format("site {} has no face number with three barycentric coordinates", out.size()));
+    }
+    out.push_back({entry["face"].get<std::int32_t>(),
+                   {entry["bary"][0].get<double>(), entry["bary"][1].get<double>(),
+                    entry["bary"][2].get<double>()}});
+  }
+  if (out.empty()) {
+    throw wrong("has an empty list \"sites\"");
+  }
+  return out;
+}
+
+void write_sites(const std::string& path, const RemeshResult& result) {
+  nlohmann::json json;
+  auto& list = json["sites"] = nlohmann::json::array();
+  for (const Site& s : result.sites) {
+    list.push_back({{"face", s.face}, {"bary", s.bary}});
+  }
+  json["density"] = result.density;
+  OutputFile file(path);
+  file.write(json.dump());
+  file.write("\n");
+  file.commit();
+}
+
+}  // namespace ucvt
