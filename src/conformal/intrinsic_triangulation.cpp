@@ -166,13 +166,15 @@ void make_euclidean_delaunay(IntrinsicTriangulation& t) {
   flip_to_delaunay(t, std::move(all));
 }
 
-void refine(IntrinsicTriangulation& t, double longest) {
-  const double log_longest = std::log(longest);
+void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
+  const auto wanted = [&](Halfedge h) {
+    return (size[t.connectivity.origin(h).index()] + size[t.connectivity.head(h).index()]) / 2;
+  };
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry> queue;
   const auto push = [&](Halfedge h) {
     const double l = t.log_length[h.index()];
-    if (l > log_longest) {
+    if (l > std::log(wanted(h))) {
       queue.push({l, h.id});
     }
   };
@@ -196,7 +198,9 @@ void refine(IntrinsicTriangulation& t, double longest) {
     const double to_m = std::log(std::hypot(m.x - m.base / 2, m.y));
     const double jk = t.log_length[h.next().index()], mj = t.log_length[twin.prev().index()];
     const Face added{static_cast<std::int32_t>(t.connectivity.face_count())};
+    const double between = wanted(h);
     t.connectivity.split_edge(h);
+    size.push_back(between);
     t.log.add_split(h, twin, added);
     ++t.splits;
     t.log_length.resize(t.connectivity.halfedge_count());

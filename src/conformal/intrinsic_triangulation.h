@@ -30,9 +30,10 @@ IntrinsicTriangulation intrinsic_triangulation(const TriangleMesh& mesh);
 /// Flips to intrinsic Delaunay with Euclidean flips (Bobenko and Springborn 2007).
 void make_euclidean_delaunay(IntrinsicTriangulation& t);
 
-/// Splits edges in their middle, longest first, until none is longer than `longest`, keeping the
-/// triangulation Delaunay. Requires a Delaunay triangulation and longest > 0.
-void refine(IntrinsicTriangulation& t, double longest);
+/// Splits edges in their middle, longest first, until none is longer than the mean of the sizes
+/// wanted at its ends, keeping the triangulation Delaunay. `size` (positive, by vertex) grows with
+/// it: a new vertex gets the mean of the ends it lies between. Requires a Delaunay triangulation.
+void refine(IntrinsicTriangulation& t, std::vector<double>& size);
 
 /// A third of the Euclidean area of each vertex' star.
 std::vector<double> euclidean_vertex_areas(const IntrinsicTriangulation& t);

@@ -18,6 +18,11 @@ namespace {
 constexpr int max_newton_steps = 200;
 constexpr double angle_tolerance = 1e-10;
 
+/// Most that the log scale may change along an edge of the refined surface (the density then changes
+/// by a factor of e^2 at most), and rounds of refinement towards it.
+constexpr double steepest_edge = 0.5;
+constexpr int max_refinements = 5;
+
 struct Solution {
   std::vector<double> u;
   MetricSolver::Result result;
@@ -26,8 +31,8 @@ struct Solution {
 Solution solve_plane(IntrinsicTriangulation& t, double area, const MetricSolver::Watch& watch) {
   std::vector<VertexRole> role(t.connectivity.vertex_count(), VertexRole::solved);
   role[0] = VertexRole::held;
-  // Flat metrics scale freely: the total area becomes 1.
-  Solution out{std::vector<double>(role.size(), -std::log(area) / 2), {}};
+  // Flat metrics scale freely: this one keeps the surface's area.
+  Solution out{std::vector<double>(role.size(), 0.0), {}};
   out.result = MetricSolver(Space{0}, t, out.u, role).solve(1e-11, max_newton_steps, watch);
   double total = 0;
   const auto& c = t.connectivity;
@@ -41,7 +46,7 @@ Solution solve_plane(IntrinsicTriangulation& t, double area, const MetricSolver:
     total += triangle_determinant({0}, chord) / 2;
   }
   for (double& u : out.u) {
-    u -= std::log(total) / 2;
+    u -= std::log(total / area) / 2;
   }
   return out;
 }
@@ -69,7 +74,7 @@ std::vector<double> chords(const IntrinsicTriangulation& t, const std::vector<do
 }
 
 /// Measures what was reached by formulas other than the solver's, and throws when it is not enough.
-void certify(const UniformSurface& t, UniformizationReport& report) {
+void certify(const UniformSurface& t, double input_area, UniformizationReport& report) {
   const Connectivity& c = t.connectivity();
   std::vector<double> sum(c.vertex_count());
   for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
@@ -89,55 +94,91 @@ void certify(const UniformSurface& t, UniformizationReport& report) {
                                      report.max_angle_error));
   }
   const double wanted =
-      t.space().kappa == 0 ? 1
+      t.space().kappa == 0 ? input_area
                            : 2 * std::numbers::pi * std::abs(static_cast<double>(c.euler_number()));
   if (std::abs(report.area - wanted) > 1e-8 * wanted) {
     throw NumericalError("uniformization missed the area that Gauss and Bonnet ask for");
   }
 }
 
+Solution solve(IntrinsicTriangulation& t, int genus, const std::vector<double>& vertex_area,
+               const MetricSolver::Watch& watch) {
+  if (genus == 0) {
+    Solution out;
+    out.result = solve_sphere(t, out.u, vertex_area, watch);
+    return out;
+  }
+  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
+  return genus == 1 ? solve_plane(t, area, watch) : solve_hyperbolic(t, area, watch);
+}
+
+/// Lowers the sizes wanted at the ends of edges over which the log scale changes too fast for a
+/// density linear in the faces; true when some edge is in the way.
+bool resolve_log_scale(const IntrinsicTriangulation& t, const std::vector<double>& u,
+                       std::vector<double>& size) {
+  bool any = false;
+  for (std::size_t i = 0; i < t.log_length.size(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    const std::size_t a = t.connectivity.origin(h).index(), b = t.connectivity.head(h).index();
+    const double change = std::abs(u[a] - u[b]);
+    if (change <= steepest_edge) {
+      continue;
+    }
+    any = true;
+    const double wanted = std::exp(t.log_length[i]) * std::max(steepest_edge / change, 0.1) * 0.9;
+    size[a] = std::min(size[a], wanted);
+    size[b] = std::min(size[b], wanted);
+  }
+  return any;
+}
+
 }  // namespace
 
 Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  IntrinsicTriangulation t = intrinsic_triangulation(surface.mesh);
-  make_euclidean_delaunay(t);
-  if (options.longest_edge > 0) {
-    refine(t, options.longest_edge);
-  }
-  std::vector<double> vertex_area = euclidean_vertex_areas(t);
-  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
   bool cancelled = false;
   const MetricSolver::Watch watch = [&](int iteration, double error) {
     cancelled = options.monitor && !options.monitor({"uniformize", iteration, error});
     return !cancelled;
   };
+  // `flat` is the surface before any Ptolemy flip: the place to refine it.
+  IntrinsicTriangulation flat = intrinsic_triangulation(surface.mesh), t;
+  make_euclidean_delaunay(flat);
+  const bool refining = options.longest_edge > 0;
+  std::vector<double> size(flat.connectivity.vertex_count(), options.longest_edge), vertex_area;
   Solution solution;
-  if (surface.genus == 0) {
-    solution.result = solve_sphere(t, solution.u, vertex_area, watch);
-  } else if (surface.genus == 1) {
-    solution = solve_plane(t, area, watch);
-  } else {
-    solution = solve_hyperbolic(t, area, watch);
+  int iterations = 0;
+  for (int round = 0;; ++round) {
+    if (refining) {
+      refine(flat, size);
+    }
+    vertex_area = euclidean_vertex_areas(flat);
+    t = flat;
+    solution = solve(t, surface.genus, vertex_area, watch);
+    iterations += solution.result.iterations;
+    if (cancelled) {
+      throw Cancelled("interrupted during uniformization; no output was written");
+    }
+    if (!solution.result.converged) {
+      throw NumericalError(fmt::format("uniformization stopped at an angle error of {:.1e} radians",
+                                       solution.result.max_angle_error));
+    }
+    if (!refining || round == max_refinements || !resolve_log_scale(flat, solution.u, size)) {
+      break;
+    }
   }
-  if (cancelled) {
-    throw Cancelled("interrupted during uniformization");
-  }
-  if (!solution.result.converged) {
-    throw NumericalError(fmt::format("uniformization stopped at an angle error of {:.1e} radians",
-                                     solution.result.max_angle_error));
-  }
+  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
   const double kappa = surface.genus == 0 ? 1 : surface.genus == 1 ? 0 : -1;
   UniformSurface uniform({kappa}, t.connectivity, chords(t, solution.u));
   UniformizationReport report;
   report.geometry = kappa > 0 ? "spherical" : kappa < 0 ? "hyperbolic" : "euclidean";
-  report.newton_iterations = solution.result.iterations;
+  report.newton_iterations = iterations;
   report.euclidean_flips = t.euclidean_flips;
   report.ptolemy_flips = t.ptolemy_flips;
   report.refined_vertices = t.splits;
   const auto [low, high] = std::minmax_element(solution.u.begin(), solution.u.end());
   report.log_scale_min = *low, report.log_scale_max = *high;
-  certify(uniform, report);
+  certify(uniform, area, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {surface.mesh,           std::move(t),       std::move(solution.u),
           std::move(vertex_area), std::move(uniform), report};

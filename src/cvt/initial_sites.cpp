@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <random>
 
@@ -16,41 +17,25 @@ double uniform(std::mt19937_64& random) {
 
 }  // namespace
 
-std::vector<SurfacePoint> random_sites(const UniformSurface& t, const std::vector<double>& density,
+std::vector<SurfacePoint> random_sites(const UniformSurface& t, const std::vector<double>& weight,
                                        std::size_t n, std::uint64_t seed) {
   const Connectivity& c = t.connectivity();
-  std::vector<double> mass(c.face_count());
-  double total = 0;
-  const auto corner_density = [&](std::size_t f) {
-    std::array<double, 3> rho{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      rho[i] = density[c.origin(halfedges({static_cast<std::int32_t>(f)})[i]).index()];
-    }
-    return rho;
-  };
-  for (std::size_t f = 0; f < mass.size(); ++f) {
-    const Face face{static_cast<std::int32_t>(f)};
-    total += integrate(t.space(), t.triangle(face), corner_density(f)).mass;
-    mass[f] = total;
-  }
+  std::vector<double> until(weight.size());
+  std::partial_sum(weight.begin(), weight.end(), until.begin());
   std::mt19937_64 random(seed);
   std::vector<SurfacePoint> out;
   while (out.size() < n) {
-    const auto at = std::upper_bound(mass.begin(), mass.end(), uniform(random) * total);
-    const auto f = static_cast<std::size_t>(
-        std::min(at - mass.begin(), static_cast<std::ptrdiff_t>(mass.size()) - 1));
-    const auto rho = corner_density(f);
-    const double top = *std::max_element(rho.begin(), rho.end());
-    // Inside the face, by rejection; T's faces are small, so its area is the chord triangle's.
-    SurfacePoint p{{static_cast<std::int32_t>(f)}, {}};
-    for (int tries = 0; tries < 1000; ++tries) {
-      const double r = std::sqrt(uniform(random)), s = uniform(random);
-      p.bary = {1 - r, r * (1 - s), r * s};
-      const double here = p.bary[0] * rho[0] + p.bary[1] * rho[1] + p.bary[2] * rho[2];
-      if (uniform(random) * top <= here) {
-        break;
-      }
+    const auto at = std::upper_bound(until.begin(), until.end(), uniform(random) * until.back());
+    const auto v = std::min(at - until.begin(), static_cast<std::ptrdiff_t>(until.size()) - 1);
+    const Vertex vertex{static_cast<std::int32_t>(v)};
+    Halfedge h = c.outgoing(vertex);
+    for (auto turns = random() % static_cast<std::uint64_t>(c.degree(vertex)); turns > 0; --turns) {
+      h = c.rotate(h);
     }
+    // Uniform over the part of the face that is nearest, in barycentric terms, to the vertex.
+    const double r = std::sqrt(uniform(random)), s = uniform(random);
+    SurfacePoint p{h.face(), {1 - r, r * (1 - s), r * s}};
+    std::iter_swap(std::max_element(p.bary.begin(), p.bary.end()), p.bary.begin() + h.id % 3);
     out.push_back(p);
   }
   return out;

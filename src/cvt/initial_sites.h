@@ -8,9 +8,10 @@
 
 namespace ucvt {
 
-/// n random points, uniform in the measure with the given density (linear over each face's chord
-/// triangle) against T's area. The same seed gives the same points on every machine.
-std::vector<SurfacePoint> random_sites(const UniformSurface& t, const std::vector<double>& density,
+/// n random points: a vertex of T drawn by the given weights, then a place in its share of one of
+/// its faces. With the area on the input round every vertex for weights they are uniform on the
+/// input surface. The same seed gives the same points on every machine.
+std::vector<SurfacePoint> random_sites(const UniformSurface& t, const std::vector<double>& weight,
                                        std::size_t n, std::uint64_t seed);
 
 /// n vertices of T, each as far as possible from those before it, by shortest edge paths with the

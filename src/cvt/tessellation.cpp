@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -47,8 +48,21 @@ DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<Sur
     places.push_back(place);
     d.insert(c.origin(h), {at, {}});
   }
-  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
-    d.remove({static_cast<std::int32_t>(v)});
+  // Smallest scale first: a vertex goes while its star is of its own scale still, and no star ever
+  // spans more scales than doubles can compare.
+  std::vector<double> nearest(c.vertex_count(), HUGE_VAL);
+  for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    double& least = nearest[c.origin(h).index()];
+    least = std::min(least, t.chord(h));
+  }
+  std::vector<std::int32_t> order(nearest.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    return nearest[static_cast<std::size_t>(a)] < nearest[static_cast<std::size_t>(b)];
+  });
+  for (const std::int32_t v : order) {
+    d.remove({v});
   }
   d.compact();
   d.make_delaunay();

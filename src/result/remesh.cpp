@@ -60,14 +60,13 @@ std::vector<SurfacePoint> as_points(const std::vector<Site>& sites, std::size_t 
   return out;
 }
 
-std::vector<SurfacePoint> initial_sites(const Uniformized& t, const std::vector<double>& factor,
-                                        const RemeshOptions& options) {
+std::vector<SurfacePoint> initial_sites(const Uniformized& t, const RemeshOptions& options) {
   if (!options.initial_sites.empty()) {
     return as_points(options.initial_sites, t.surface.connectivity().face_count());
   }
   const auto n = static_cast<std::size_t>(options.sites);
   if (options.init == InitialSites::random) {
-    return random_sites(t.surface, factor, n, options.seed);
+    return random_sites(t.surface, t.vertex_area_3d, n, options.seed);
   }
   const Connectivity& c = t.surface.connectivity();
   if (n > c.vertex_count()) {
@@ -106,7 +105,7 @@ class Remesher {
 
   RemeshResult run() {
     const auto start = std::chrono::steady_clock::now();
-    sites_.emplace(integrator_, initial_sites(t_, factor_, options_));
+    sites_.emplace(integrator_, initial_sites(t_, options_));
     optimize();
     std::int64_t added = 0;
     for (int round = 0; options_.ensure_simplicial && round < max_simplicial_rounds; ++round) {

@@ -14,22 +14,27 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
 }
 
 /// Degree of the rule that resolves a piece of the given squared size (its longest side in the
-/// space, roughly); 0 when the piece must be cut first. The integrand is a cubic times a power
-/// series in kappa size^2, so each step of two in the degree gains a factor of size^2 and some.
+/// space, roughly); 0 when the piece must be cut first.
+///
+/// The integrand is a quadratic times a power series in f = kappa chord_form <= size2/3, so a rule of
+/// degree d leaves f^(d/2) times a quadrature error of 1e-2 or less: below 1e-13 at each bound.
 int degree_for(double size2) {
-  if (size2 < 1e-6) {
+  if (size2 < 1e-5) {
     return 5;
   }
-  if (size2 < 1e-3) {
+  if (size2 < 6e-4) {
+    return 6;
+  }
+  if (size2 < 5e-3) {
     return 8;
   }
-  if (size2 < 3e-2) {
+  if (size2 < 6e-2) {
     return 12;
   }
   if (size2 < 0.2) {
     return 18;
   }
-  return size2 < 0.8 ? 28 : 0;
+  return size2 < 0.6 ? 28 : 0;
 }
 
 constexpr int max_depth = 40;

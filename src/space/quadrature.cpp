@@ -48,6 +48,47 @@ std::vector<QuadratureNode> symmetric_degree_5() {
   return nodes;
 }
 
+/// Adds the nodes of one orbit under the triangle's symmetries.
+void add_orbit(std::vector<QuadratureNode>& nodes, double a, double b, double c, double weight) {
+  nodes.push_back({a, b, c, weight});
+  nodes.push_back({b, c, a, weight});
+  nodes.push_back({c, a, b, weight});
+  if (b != c) {
+    nodes.push_back({a, c, b, weight});
+    nodes.push_back({c, b, a, weight});
+    nodes.push_back({b, a, c, weight});
+  }
+}
+
+std::vector<QuadratureNode> symmetric_degree_6() {
+  std::vector<QuadratureNode> nodes;
+  add_orbit(nodes, 0.501426509658179, 0.249286745170910, 0.249286745170910, 0.116786275726379);
+  add_orbit(nodes, 0.873821971016996, 0.063089014491502, 0.063089014491502, 0.050844906370207);
+  add_orbit(nodes, 0.053145049844817, 0.310352451033784, 0.636502499121399, 0.082851075618374);
+  return nodes;
+}
+
+std::vector<QuadratureNode> symmetric_degree_8() {
+  std::vector<QuadratureNode> nodes{{1 / 3.0, 1 / 3.0, 1 / 3.0, 0.144315607677787}};
+  add_orbit(nodes, 0.081414823414554, 0.459292588292723, 0.459292588292723, 0.095091634267285);
+  add_orbit(nodes, 0.658861384496480, 0.170569307751760, 0.170569307751760, 0.103217370534718);
+  add_orbit(nodes, 0.898905543365938, 0.050547228317031, 0.050547228317031, 0.032458497623198);
+  add_orbit(nodes, 0.008394777409958, 0.263112829634638, 0.728492392955404, 0.027230314174435);
+  return nodes;
+}
+
+/// Published digits end at 1e-15; this makes the weights sum to 1 to the last bit or two.
+std::vector<QuadratureNode> normalized(std::vector<QuadratureNode> nodes) {
+  double sum = 0;
+  for (const QuadratureNode& n : nodes) {
+    sum += n.weight;
+  }
+  for (QuadratureNode& n : nodes) {
+    n.weight /= sum;
+  }
+  return nodes;
+}
+
 std::vector<QuadratureNode> collapsed(int degree) {
   // The Jacobian of the collapse adds one degree along s.
   const auto line = gauss_legendre(degree / 2 + 1);
@@ -68,7 +109,10 @@ const std::vector<QuadratureNode>& triangle_rule(int degree) {
   static const auto rules = [] {
     std::array<std::vector<QuadratureNode>, max_degree + 1> all;
     for (int d = 0; d <= max_degree; ++d) {
-      all[static_cast<std::size_t>(d)] = d <= 5 ? symmetric_degree_5() : collapsed(d);
+      all[static_cast<std::size_t>(d)] = normalized(d <= 5   ? symmetric_degree_5()
+                                                    : d == 6 ? symmetric_degree_6()
+                                                    : d <= 8 ? symmetric_degree_8()
+                                                             : collapsed(d));
     }
     return all;
   }();

@@ -12,8 +12,8 @@ struct QuadratureNode {
 
 /// A rule that integrates polynomials of the given degree exactly.
 ///
-/// Degree up to 5: the symmetric rule with 7 nodes (Radon 1948). Above: Gauss-Legendre on the
-/// square collapsed to the triangle (Duffy 1982). Rules are built once; thread-safe. Requires
+/// Degree up to 5, 6 and 8: symmetric rules with 7, 12 and 16 nodes (Radon 1948; Dunavant 1985).
+/// Above: Gauss-Legendre on the square collapsed to the triangle (Duffy 1982). Rules are built once; thread-safe. Requires
 /// degree <= 64.
 const std::vector<QuadratureNode>& triangle_rule(int degree);
 

@@ -169,7 +169,10 @@ void DelaunayTriangulation::remove(Vertex v) {
     double best_shape = 0;
     connectivity_.for_outgoing(v, [&](Halfedge h) {
       const Halfedge t = connectivity_.twin(h);
-      if (!is_convex(h)) {
+      // A loop counts twice at v; a diagonal that comes back to v gains nothing.
+      const auto at_v = [&](Halfedge g) { return connectivity_.origin(g) == v ? 1 : 0; };
+      const int gain = 1 + at_v(t) - at_v(h.prev()) - at_v(t.prev());
+      if (gain <= 0 || !is_convex(h)) {
         return;
       }
       const Offset &j = offset(h), &k = offset(connectivity_.rotate(h)), &m = offset(t.next());

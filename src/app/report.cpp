@@ -1,0 +1,135 @@
+#include "app/report.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <tbb/task_arena.h>
+
+#include "ucvt/version.h"
+
+namespace ucvt {
+namespace {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+constexpr std::int64_t bytes_per_kilobyte = 1024;
+
+Json spread_report(const Spread& spread) {
+  return {{"mean", spread.mean}, {"cv", spread.cv}, {"min", spread.min}, {"max", spread.max}};
+}
+
+Json cvt_report(const CvtReport& cvt) {
+  const double per_iteration = cvt.iterations > 0 ? cvt.seconds / cvt.iterations : 0;
+  return {{"method", cvt.method},         {"sites", cvt.sites},
+          {"iterations", cvt.iterations}, {"converged", cvt.converged},
+          {"energy", cvt.energy},         {"max_move", cvt.max_move},
+          {"seconds", cvt.seconds},       {"seconds_per_iteration", per_iteration}};
+}
+
+Json uniformity_report(const UniformityReport& uniformity) {
+  Json degree = Json::object();
+  for (const auto& [neighbours, sites] : uniformity.degree) {
+    degree[std::to_string(neighbours)] = sites;
+  }
+  return {{"radius", spread_report(uniformity.radius)},
+          {"nearest", spread_report(uniformity.nearest)},
+          {"area", spread_report(uniformity.area)},
+          {"degree", degree},
+          {"hexagons", uniformity.hexagons}};
+}
+
+}  // namespace
+
+bool has_genus(const MeshSurvey& counts) {
+  return counts.orientable && counts.nonmanifold_edges == 0 && counts.nonmanifold_vertices == 0 &&
+         counts.repeated_corner_faces == 0 && counts.duplicate_faces == 0;
+}
+
+std::int64_t genus_of(const MeshSurvey& counts) {
+  return (2 * counts.components - counts.boundary_loops - counts.euler_number) / 2;
+}
+
+Json input_report(const std::string& file, const MeshSurvey& counts) {
+  return {{"file", file},
+          {"vertices", counts.vertices},
+          {"faces", counts.faces},
+          {"genus", has_genus(counts) ? Json(genus_of(counts)) : Json()},
+          {"components", counts.components},
+          {"area", counts.area},
+          {"bbox_diagonal", counts.bbox_diagonal}};
+}
+
+Json uniformization_report(const UniformizationReport& report) {
+  return {{"geometry", report.geometry},
+          {"newton_iterations", report.newton_iterations},
+          {"euclidean_flips", report.euclidean_flips},
+          {"ptolemy_flips", report.ptolemy_flips},
+          {"refined_vertices", report.refined_vertices},
+          {"max_angle_error", report.max_angle_error * degrees_per_radian},
+          {"area", report.area},
+          {"log_scale_min", report.log_scale_min},
+          {"log_scale_max", report.log_scale_max},
+          {"seconds", report.seconds}};
+}
+
+Json quality_report(const MeshQuality& quality) {
+  return {{"q_min", quality.q_min},
+          {"q_avg", quality.q_avg},
+          {"angle_min", quality.angle_min_deg},
+          {"angle_min_avg", quality.angle_min_avg_deg},
+          {"below_30", quality.below_30},
+          {"regular", quality.regular}};
+}
+
+void add_remesh_report(Json& report, const RemeshResult& result) {
+  report["cvt"] = cvt_report(result.cvt);
+  report["uniformity"] = uniformity_report(result.uniformity);
+  report["surface"] = {{"cell_area", spread_report(result.cell_area_3d)}};
+  Json remesh = {{"vertices", result.report.vertices},
+                 {"faces", result.report.faces},
+                 {"genus", result.report.genus},
+                 {"simplicial", result.report.simplicial},
+                 {"sites_added", result.report.sites_added}};
+  remesh.update(quality_report(result.report.quality));
+  report["remesh"] = std::move(remesh);
+}
+
+void add_run_report(Json& report, std::chrono::steady_clock::time_point start) {
+  report["seconds"] = seconds_since(start);
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["version"] = UCVT_VERSION;
+}
+
+std::string report_text(const Json& report) {
+  // File names need not be UTF-8, JSON must.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int threads_used(int asked) {
+  return asked > 0 ? asked : tbb::this_task_arena::max_concurrency();
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::int64_t peak_memory_bytes() {
+  rusage usage = {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * bytes_per_kilobyte;
+}
+
+std::string aligned_lines(const std::vector<std::pair<std::string, std::string>>& lines) {
+  std::size_t width = 0;
+  for (const auto& [name, value] : lines) {
+    width = std::max(width, name.size());
+  }
+  std::string text;
+  for (const auto& [name, value] : lines) {
+    text += fmt::format("{:<{}}  {}\n", name, width, value);
+  }
+  return text;
+}
+
+}  // namespace ucvt

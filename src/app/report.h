@@ -1,0 +1,51 @@
+// The report of a run as JSON (docs/formats.md) and as lines for people.
+//
+// Lengths are in the input's units, angles in degrees, times in seconds.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "ucvt/remesh.h"
+
+namespace ucvt {
+
+using Json = nlohmann::ordered_json;
+
+/// `input`: the mesh as it was read. The genus is null where a surface has none.
+Json input_report(const std::string& file, const MeshSurvey& counts);
+
+Json uniformization_report(const UniformizationReport& report);
+
+/// `cvt`, `uniformity`, `surface` and `remesh` of a result, put into a report.
+void add_remesh_report(Json& report, const RemeshResult& result);
+
+Json quality_report(const MeshQuality& quality);
+
+/// `seconds`, `peak_memory_bytes` and `version`, put into a report.
+void add_run_report(Json& report, std::chrono::steady_clock::time_point start);
+
+/// The text of the file: indented, always valid UTF-8.
+std::string report_text(const Json& report);
+
+/// Whether the genus means something: a manifold surface with two sides.
+bool has_genus(const MeshSurvey& counts);
+
+/// Of such a surface: the number of handles, summed over its components.
+std::int64_t genus_of(const MeshSurvey& counts);
+
+/// Threads that a computation uses when it is asked for this many (0: all cores).
+int threads_used(int asked);
+
+double seconds_since(std::chrono::steady_clock::time_point start);
+std::int64_t peak_memory_bytes();
+
+/// Lines "name  value", the values one below the other.
+std::string aligned_lines(const std::vector<std::pair<std::string, std::string>>& lines);
+
+}  // namespace ucvt

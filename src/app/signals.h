@@ -1,0 +1,17 @@
+// SIGINT and SIGTERM as a question that a Monitor can ask.
+//
+// While nothing is computed yet a signal ends the program at once. From `begin_computation` on the
+// first one only raises a flag, and a second one has its default action. A signal that was ignored
+// when the program started stays ignored. SIGPIPE is ignored: a closed pipe is an error of writing.
+#pragma once
+
+namespace ucvt {
+
+void catch_signals();
+
+/// From here on an interruption is noted and asked for by `interrupted`.
+void begin_computation();
+
+bool interrupted();
+
+}  // namespace ucvt

@@ -1,0 +1,40 @@
+#include "run_program.h"
+
+namespace ucvt::test {
+namespace {
+
+TEST(UniformizeCommand, WritesTheSurfaceAndAReport) {
+  const TemporaryFolder folder;
+  const std::string input = torus_file(folder), output = folder.file("t.ply");
+  const Outcome outcome =
+      run({"uniformize", input, "-o", output, "--report", folder.file("r.json"), "--threads", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_HAS(outcome.out, "euclidean");
+  const std::string ply = slurp(output);
+  EXPECT_HAS(ply, "comment geometry euclidean\ncomment genus 1\nelement vertex 240\n");
+  const nlohmann::json report = read_json(folder.file("r.json"));
+  EXPECT_EQ(report["input"]["faces"], 480);
+  EXPECT_EQ(report["threads"], 1);
+  EXPECT_LT(report["uniformization"]["max_angle_error"], 6e-9);  // degrees; 1e-10 rad
+  EXPECT_EQ(report["uniformization"]["refined_vertices"], 0);
+  for (const char* key : {"seconds", "peak_memory_bytes", "version"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  const Outcome piped = run({"uniformize", "-", "-o", "-"}, slurp(input));
+  EXPECT_TRUE(piped.out == ply);
+  EXPECT_EQ(piped.err, "");
+}
+
+TEST(UniformizeCommand, RefusesAnOpenMesh) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh = grid_surface(20, 12);
+  mesh.faces.pop_back();
+  write_mesh(folder.file("open.off"), mesh);
+  const Outcome outcome = run({"uniformize", folder.file("open.off"), "-o", folder.file("t.ply")});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_HAS(only_line(outcome.err), "the surface is open");
+  EXPECT_EQ(folder.entries(), 1U);
+}
+
+}  // namespace
+}  // namespace ucvt::test
