@@ -21,7 +21,7 @@ constexpr double angle_tolerance = 1e-10;
 /// Most that the log scale may change along an edge of the refined surface (the density then changes
 /// by a factor of e^2 at most), and rounds of refinement towards it.
 constexpr double steepest_edge = 0.5;
-constexpr int max_refinements = 5;
+constexpr int max_refinements = 2;
 
 struct Solution {
   std::vector<double> u;

@@ -24,8 +24,9 @@ namespace {
 /// a dozen of T's faces at least, which resolves the density across them.
 constexpr double edge_per_spacing = 0.5;
 
-/// Rounds of adding sites for a simplicial dual mesh; each adds one for every edge in the way.
-constexpr int max_simplicial_rounds = 30;
+/// Rounds of adding sites for a simplicial dual mesh. In the first ones all sites go on moving; where
+/// that takes the sites away again from a handle too thin for them, they are kept there from then on.
+constexpr int free_rounds = 3, max_rounds = 40;
 
 double longest_edge_for(const TriangleMesh& mesh, int sites) {
   const double cell = survey(mesh).area / sites;
@@ -107,20 +108,14 @@ class Remesher {
     const auto start = std::chrono::steady_clock::now();
     sites_.emplace(integrator_, initial_sites(t_, options_));
     optimize();
-    std::int64_t added = 0;
-    for (int round = 0; options_.ensure_simplicial && round < max_simplicial_rounds; ++round) {
-      const auto in_the_way = edges_not_simplicial(sites_->delaunay());
-      if (in_the_way.empty()) {
+    const std::size_t asked = sites_->site_count();
+    for (int round = 0; options_.ensure_simplicial && round < max_rounds; ++round) {
+      if (!add_sites_in_the_way(round >= free_rounds)) {
         break;
       }
-      std::vector<SurfacePoint> more = sites_->sites();
-      for (const Halfedge h : in_the_way) {
-        more.push_back(midpoint(*sites_, t_.surface, h));
-      }
-      added += static_cast<std::int64_t>(in_the_way.size());
-      sites_.emplace(integrator_, more);
       optimize();
     }
+    const auto added = static_cast<std::int64_t>(sites_->site_count() - asked);
     cvt_.sites = static_cast<std::int64_t>(sites_->site_count());
     cvt_.iterations = static_cast<int>(cvt_.energy.size());
     cvt_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -129,13 +124,38 @@ class Remesher {
 
  private:
   void optimize() {
-    auto result = lloyd(*sites_, {options_.iterations, options_.tolerance}, options_.monitor);
+    const LloydOptions lloyd_options{options_.iterations, options_.tolerance, fixed_};
+    auto result = lloyd(*sites_, lloyd_options, options_.monitor);
     cvt_.energy.insert(cvt_.energy.end(), result.energy.begin(), result.energy.end());
     cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin(), result.max_move.end());
     cvt_.converged = result.converged;
     if (result.cancelled) {
       throw Cancelled("interrupted; no output was written");
     }
+  }
+
+  /// Adds the middles of the edges that keep the dual mesh from being simplicial, once, or until it
+  /// is and then for good. Returns false when there are none.
+  bool add_sites_in_the_way(bool for_good) {
+    bool any = false;
+    do {
+      const auto in_the_way = edges_not_simplicial(sites_->delaunay());
+      if (in_the_way.empty()) {
+        break;
+      }
+      any = true;
+      const Connectivity& c = sites_->delaunay().connectivity();
+      std::vector<SurfacePoint> more = sites_->sites();
+      fixed_.resize(more.size() + in_the_way.size(), 0);
+      for (const Halfedge h : in_the_way) {
+        if (for_good) {
+          fixed_[more.size()] = fixed_[c.origin(h).index()] = fixed_[c.head(h).index()] = 1;
+        }
+        more.push_back(midpoint(*sites_, t_.surface, h));
+      }
+      sites_.emplace(integrator_, more);
+    } while (for_good);
+    return any;
   }
 
   [[nodiscard]] RemeshResult collect(std::int64_t added) const {
@@ -169,6 +189,7 @@ class Remesher {
   std::vector<double> factor_;
   CellIntegrator integrator_;
   std::optional<Tessellation> sites_;
+  std::vector<char> fixed_;
   CvtReport cvt_;
 };
 

@@ -20,8 +20,8 @@ constexpr double flat_sine = 1e-10;
 /// A place this far beyond an edge, relative to it, is on the edge.
 constexpr double edge_tolerance = 1e-14;
 
-/// Moves of a lone vertex are halved down to this chord before they are given up.
-constexpr double least_move = 1e-12;
+/// Moves that cannot be made are halved down to this part of an edge before they are given up.
+constexpr double least_move = 1e-3;
 
 double radius(const Offset& p) {
   return std::hypot(p.x, p.y);
@@ -161,7 +161,7 @@ Vertex DelaunayTriangulation::insert(Vertex v, const Isometry& frame, Vertex reu
   return n;
 }
 
-void DelaunayTriangulation::remove(Vertex v) {
+bool DelaunayTriangulation::try_remove(Vertex v) {
   // Flip away, of all edges at v whose quadrilateral is convex, the one that leaves the best
   // shaped triangle behind; some edge always can be while v has more than three.
   while (connectivity_.degree(v) > 3) {
@@ -184,14 +184,14 @@ void DelaunayTriangulation::remove(Vertex v) {
       }
     });
     if (best.id < 0) {
-      throw NumericalError("a vertex' star could not be flipped away");
+      return false;
     }
     flip(best);
   }
   const Halfedge a = connectivity_.outgoing(v);
   const Halfedge b = connectivity_.rotate(a), c = connectivity_.rotate(b);
   if (a.face() == b.face() || b.face() == c.face() || c.face() == a.face()) {
-    throw NumericalError("a vertex with fewer than three faces cannot be removed");
+    return false;
   }
   const std::array<Offset, 3> rim{offset(a.next()), offset(b.next()), offset(c.next())};
   const Face face = connectivity_.remove_vertex_of_degree_3(v);
@@ -202,6 +202,13 @@ void DelaunayTriangulation::remove(Vertex v) {
     stack.push_back(h);
   }
   flip_to_delaunay(std::move(stack));
+  return true;
+}
+
+void DelaunayTriangulation::remove(Vertex v) {
+  if (!try_remove(v)) {
+    throw NumericalError("a vertex of the triangulation could not be removed");
+  }
 }
 
 bool DelaunayTriangulation::move_in_star(Vertex v, const Offset& to) {
@@ -245,19 +252,21 @@ Offset DelaunayTriangulation::move(Vertex v, const Offset& to) {
       link = h;
     }
   });
-  if (link.id < 0) {
-    // The only vertex of the surface cannot be removed: it goes half the way.
-    const double half = chord_of_length(space_, length_of_chord(space_, std::sqrt(2 * to.h)) / 2);
-    const double r = radius(to);
-    return half > least_move ? move(v, from_chord(space_, half, to.x / r, to.y / r)) : Offset{};
+  if (link.id >= 0) {
+    // A neighbour keeps the place while v is away.
+    const Vertex anchor = connectivity_.head(link);
+    const Offset anchor_seen = transvect_back(space_, to, offset(link));
+    const Offset at = frame_change(connectivity_.twin(link)).apply(space_, to);
+    const Isometry frame{at, rotation_between(anchor_seen, {-at.x, -at.y, at.h})};
+    if (try_remove(v)) {
+      insert(anchor, frame, v);
+      return to;
+    }
   }
-  const Vertex anchor = connectivity_.head(link);
-  const Offset anchor_seen = transvect_back(space_, to, offset(link));
-  const Offset at = frame_change(connectivity_.twin(link)).apply(space_, to);
-  const Isometry frame{at, rotation_between(anchor_seen, {-at.x, -at.y, at.h})};
-  remove(v);
-  insert(anchor, frame, v);
-  return to;
+  const double half = chord_of_length(space_, length_of_chord(space_, std::sqrt(2 * to.h)) / 2);
+  const double r = radius(to);
+  const double least = least_move * std::sqrt(2 * offset(connectivity_.outgoing(v)).h);
+  return half > least ? move(v, from_chord(space_, half, to.x / r, to.y / r)) : Offset{};
 }
 
 std::vector<Vertex> DelaunayTriangulation::compact() {

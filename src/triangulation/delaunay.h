@@ -50,7 +50,8 @@ class DelaunayTriangulation {
   bool move_in_star(Vertex v, const Offset& to);
 
   /// Moves v anywhere: within its star when that holds, otherwise by removal and insertion.
-  /// Returns where it went: `to`, or less far when v is the only vertex and `to` leaves its star.
+  /// Returns where it went: `to`, or less far along the same geodesic when v can only move within its
+  /// star (the only vertex of the surface; a star that spans too many scales).
   Offset move(Vertex v, const Offset& to);
 
   /// Lawson flips over the whole triangulation. Returns their number.
@@ -65,6 +66,8 @@ class DelaunayTriangulation {
 
  private:
   void flip(Halfedge h);
+  /// Leaves a valid triangulation with v in it when v cannot be removed.
+  bool try_remove(Vertex v);
   [[nodiscard]] bool is_convex(Halfedge h) const;
   std::int64_t flip_to_delaunay(std::vector<Halfedge> stack);
   /// From the face of h, whose corners from h's origin on stand at x in some frame, to the face that

@@ -49,14 +49,13 @@ double UniformSurface::angle(Halfedge h) const {
 }
 
 double UniformSurface::area(Face f) const {
-  if (space_.kappa == 0) {
-    return det(f) / 2;
-  }
-  double sum = 0;
+  // tan(area/2) = det / (1 + sum of the sides' inner products); an angle excess would lose the area
+  // of small faces to rounding.
+  double sum = 4;
   for (const Halfedge h : halfedges(f)) {
-    sum += angle(h);
+    sum -= space_.kappa * chord(h) * chord(h) / 2;
   }
-  return space_.kappa * (sum - std::numbers::pi);
+  return space_.kappa == 0 ? det(f) / 2 : 2 * std::atan2(det(f), sum);
 }
 
 std::vector<Offset> UniformSurface::vertex_frames() const {

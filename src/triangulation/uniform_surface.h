@@ -35,7 +35,7 @@ class UniformSurface {
 
   /// Angle of a halfedge's face at the halfedge's origin, in radians.
   [[nodiscard]] double angle(Halfedge h) const;
-  /// Area of a face: kappa times its angle excess, or Heron's in the plane.
+  /// Area of a face, accurate at every scale.
   [[nodiscard]] double area(Face f) const;
 
   /// Offset, in the frame that u (origin of h) and v (head of h) are given in, of the corner
