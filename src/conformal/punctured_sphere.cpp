@@ -17,6 +17,9 @@ namespace {
 constexpr int max_punctures = 64, max_rounds = 100, max_polish_steps = 10;
 constexpr double reflex_tolerance = 1e-3;
 
+/// Angle error in the plane, radians: the sphere itself mends the rest.
+constexpr double plane_tolerance = 1e-4;
+
 /// Least angle sum below pi opposite to the edges of a vertex' star, or nothing when the star
 /// touches itself: how safely Delaunay the star is.
 std::optional<double> star_safety(const IntrinsicTriangulation& t, Vertex v) {
@@ -75,10 +78,10 @@ class PuncturedPlane {
   MetricSolver::Result solve(const MetricSolver::Watch& watch) {
     MetricSolver::Result total;
     for (int round = 0; round < max_rounds; ++round) {
-      const auto result = solver_.solve(1e-11, 100, watch);
+      const auto result = solver_.solve(plane_tolerance, 100, watch);
       total.iterations += result.iterations;
       total.max_angle_error = result.max_angle_error;
-      if (!solver_.link_is_simple() || result.max_angle_error > 1e-10) {
+      if (!solver_.link_is_simple() || result.max_angle_error > plane_tolerance) {
         return total;
       }
       if (!release_reflex()) {

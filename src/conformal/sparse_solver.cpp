@@ -2,6 +2,9 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#ifdef UCVT_HAVE_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
 
 namespace ucvt {
 namespace {
@@ -19,6 +22,33 @@ struct Triplet {
   bool operator!=(const Triplet& o) const { return entry != o.entry; }
 };
 
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+bool solve_indefinite(const Matrix& a, Eigen::Map<const Vector> right,
+                      Eigen::Map<Vector> solution) {
+  const Eigen::SimplicialLDLT<Matrix> factors(a);
+  if (factors.info() != Eigen::Success) {
+    return false;
+  }
+  solution = factors.solve(right);
+  return true;
+}
+
+bool solve_positive_definite(const Matrix& a, Eigen::Map<const Vector> right,
+                             Eigen::Map<Vector> solution) {
+#ifdef UCVT_HAVE_CHOLMOD
+  const Eigen::CholmodSupernodalLLT<Matrix> factors(a);
+#else
+  const Eigen::SimplicialLLT<Matrix> factors(a);
+#endif
+  if (factors.info() != Eigen::Success) {
+    return false;
+  }
+  solution = factors.solve(right);
+  return true;
+}
+
 }  // namespace
 
 bool solve_symmetric(const SymmetricEntries& matrix, const std::vector<double>& right,
@@ -27,18 +57,13 @@ bool solve_symmetric(const SymmetricEntries& matrix, const std::vector<double>& 
   if (right.empty()) {
     return true;
   }
-  Eigen::SparseMatrix<double> a(matrix.size(), matrix.size());
+  Matrix a(matrix.size(), matrix.size());
   const auto& e = matrix.entries();
   a.setFromTriplets(Triplet{e.data()}, Triplet{e.data() + e.size()});
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky(a);
-  if (cholesky.info() != Eigen::Success ||
-      (positive_definite && !(cholesky.vectorD().minCoeff() > 0))) {
-    return false;
-  }
   const auto n = static_cast<Eigen::Index>(right.size());
-  Eigen::Map<Eigen::VectorXd>(solution.data(), n) =
-      cholesky.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), n));
-  return true;
+  const Eigen::Map<const Vector> b(right.data(), n);
+  const Eigen::Map<Vector> x(solution.data(), n);
+  return positive_definite ? solve_positive_definite(a, b, x) : solve_indefinite(a, b, x);
 }
 
 }  // namespace ucvt

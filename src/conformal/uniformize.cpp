@@ -19,9 +19,11 @@ constexpr int max_newton_steps = 200;
 constexpr double angle_tolerance = 1e-10;
 
 /// Most that the log scale may change along an edge of the refined surface (the density then changes
-/// by a factor of e^2 at most), and rounds of refinement towards it.
+/// by a factor of e^2 at most), rounds of refinement towards it, and the share of steep edges that is
+/// not worth a round.
 constexpr double steepest_edge = 0.5;
 constexpr int max_refinements = 2;
+constexpr double ignored_share = 1e-3;
 
 struct Solution {
   std::vector<double> u;
@@ -113,10 +115,10 @@ Solution solve(IntrinsicTriangulation& t, int genus, const std::vector<double>& 
 }
 
 /// Lowers the sizes wanted at the ends of edges over which the log scale changes too fast for a
-/// density linear in the faces; true when some edge is in the way.
+/// density linear in the faces; true when more than a few edges are in the way.
 bool resolve_log_scale(const IntrinsicTriangulation& t, const std::vector<double>& u,
                        std::vector<double>& size) {
-  bool any = false;
+  std::size_t steep = 0;
   for (std::size_t i = 0; i < t.log_length.size(); ++i) {
     const Halfedge h{static_cast<std::int32_t>(i)};
     const std::size_t a = t.connectivity.origin(h).index(), b = t.connectivity.head(h).index();
@@ -124,12 +126,12 @@ bool resolve_log_scale(const IntrinsicTriangulation& t, const std::vector<double
     if (change <= steepest_edge) {
       continue;
     }
-    any = true;
+    ++steep;
     const double wanted = std::exp(t.log_length[i]) * std::max(steepest_edge / change, 0.1) * 0.9;
     size[a] = std::min(size[a], wanted);
     size[b] = std::min(size[b], wanted);
   }
-  return any;
+  return static_cast<double>(steep) > ignored_share * static_cast<double>(t.log_length.size());
 }
 
 }  // namespace

@@ -24,6 +24,12 @@ double sum_of(const std::vector<Moments>& moments, double Moments::* part) {
                          [&](double sum, const Moments& m) { return sum + m.*part; });
 }
 
+LloydOptions at_most(int iterations, double tolerance) {
+  LloydOptions options;
+  options.iterations = iterations, options.tolerance = tolerance;
+  return options;
+}
+
 class CellsTest : public testing::TestWithParam<double> {
  protected:
   const UniformSurface& t = oracle::surface_of(GetParam());
@@ -117,7 +123,7 @@ TEST_P(CellsTest, BytesDoNotDependOnThreads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
     Tessellation sites(bumpy, oracle::random_points(t, 50, 4));
-    lloyd(sites, {10, 0}, {});
+    lloyd(sites, at_most(10, 0), {});
     for (const Moments& m : sites.cell_moments()) {
       bytes[threads - 1].insert(bytes[threads - 1].end(), {m.m, m.x, m.y, m.h});
     }
@@ -128,7 +134,7 @@ TEST_P(CellsTest, BytesDoNotDependOnThreads) {
 TEST_P(CellsTest, EnergyNeverRisesUnderLloyd) {
   for (const CellIntegrator* integrator : {&uniform, &bumpy}) {
     Tessellation sites(*integrator, oracle::random_points(t, 30, 5));
-    const LloydResult result = lloyd(sites, {50, 0}, {});
+    const LloydResult result = lloyd(sites, at_most(50, 0), {});
     ASSERT_EQ(result.energy.size(), 50U);
     for (std::size_t i = 1; i < result.energy.size(); ++i) {
       EXPECT_LE(result.energy[i], result.energy[i - 1] * (1 + 1e-12)) << i;
@@ -159,7 +165,7 @@ TEST_P(CellsTest, TheGradientIsMinusTwiceTheFirstMoments) {
 
 TEST_P(CellsTest, LloydConvergesStopsAndCancels) {
   Tessellation sites(uniform, oracle::random_points(t, 14, 7));
-  const LloydResult done = lloyd(sites, {5000, 1e-5}, {});
+  const LloydResult done = lloyd(sites, at_most(5000, 1e-5), {});
   EXPECT_TRUE(done.converged);
   EXPECT_LE(done.max_move.back(), 1e-5);
   const auto moments = sites.cell_moments();
@@ -167,7 +173,8 @@ TEST_P(CellsTest, LloydConvergesStopsAndCancels) {
     EXPECT_LT(std::hypot(m.x, m.y), 1e-4 * m.m);
   }
   int calls = 0;
-  const LloydResult stopped = lloyd(sites, {50, 0}, [&](const Progress&) { return ++calls < 3; });
+  const LloydResult stopped =
+      lloyd(sites, at_most(50, 0), [&](const Progress&) { return ++calls < 3; });
   EXPECT_TRUE(stopped.cancelled);
   EXPECT_EQ(stopped.energy.size(), 3U);
 }
@@ -197,7 +204,7 @@ TEST(FewSites, CellsThatTouchThemselvesKeepTheMass) {
   for (const std::size_t n : {1, 2, 3}) {
     Tessellation sites(integrator, oracle::random_points(t, n, n));
     EXPECT_NEAR(sum_of(sites.cell_moments(), &Moments::m), 1, 1e-12);
-    lloyd(sites, {20, 0}, {});
+    lloyd(sites, at_most(20, 0), {});
     EXPECT_NEAR(sum_of(sites.cell_moments(), &Moments::m), 1, 1e-12);
     EXPECT_NEAR(sites.delaunay().area(), 1, 1e-12);
   }

@@ -75,6 +75,25 @@ TEST_P(RemeshTest, IsAClosedSimplicialMeshOfTheSameGenus) {
   }
 }
 
+double signed_volume(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const Corners& f : mesh.faces) {
+    const auto at = [&](std::size_t i) { return mesh.positions[static_cast<std::size_t>(f[i])]; };
+    const Position a = at(0), b = at(1), c = at(2);
+    sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+            a[2] * (b[0] * c[1] - b[1] * c[0])) /
+           6;
+  }
+  return sum;
+}
+
+TEST_P(RemeshTest, IsTurnedTheSameSideOutAsTheInput) {
+  RemeshOptions options;
+  options.sites = 300, options.iterations = 30;
+  const RemeshResult out = remesh(oracle::closed(GetParam().mesh), options);
+  EXPECT_NEAR(signed_volume(out.mesh) / signed_volume(GetParam().mesh), 1, 0.15);
+}
+
 TEST_P(RemeshTest, HasTheSameBytesForEverySeedAndThreadCount) {
   const ClosedSurface surface = oracle::closed(GetParam().mesh);
   RemeshOptions options;
