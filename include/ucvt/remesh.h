@@ -17,13 +17,14 @@ struct Site {
   std::array<double, 3> bary{1.0 / 3, 1.0 / 3, 1.0 / 3};
 };
 
-enum class InitialSites { random, farthest };
+enum class InitialSites : char { Random, Farthest };
 
 struct RemeshOptions {
   int sites = 1000;
   std::uint64_t seed = 1;
-  InitialSites init = InitialSites::random;
+  InitialSites init = InitialSites::Random;
   std::vector<Site> initial_sites;  ///< when not empty: start here; their number is `sites`
+  int refine_for = 0;               ///< refine T for this many sites; 0: for `sites`
   int iterations = 1000;            ///< of Lloyd's method, at most
   double tolerance = 1e-4;          ///< of the largest move, relative to the site's spacing
   bool ensure_simplicial = true;    ///< add the few sites that a simplicial dual mesh needs
@@ -76,6 +77,7 @@ struct RemeshResult {
   TriangleMesh mesh;            ///< dual mesh: closed, oriented, of the input's genus
   UniformizedSurface surface;   ///< T as it was used, refined for the number of sites
   std::vector<Site> sites;      ///< on T; site i is vertex i of the mesh
+  int refined_for = 0;          ///< number of sites that T was refined for
   std::vector<double> density;  ///< at the vertices of T
   CvtReport cvt;
   UniformityReport uniformity;
@@ -90,8 +92,14 @@ struct RemeshResult {
 /// sites that do not lie on T), Cancelled when the monitor said so, NumericalError as `uniformize`.
 RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options = {});
 
+/// The sites of a finished run, and the number that its T was refined for.
+struct SavedSites {
+  std::vector<Site> sites;
+  int refine_for = 0;
+};
+
 /// Reads and writes the sites of a tessellation as JSON (docs/formats.md).
-std::vector<Site> read_sites(const std::string& path);
+SavedSites read_sites(const std::string& path);
 void write_sites(const std::string& path, const RemeshResult& result);
 
 }  // namespace ucvt

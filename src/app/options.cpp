@@ -88,9 +88,9 @@ void add_start(CLI::App& app, RemeshArguments& arguments) {
   const auto init = [&arguments](const std::string& text) {
     arguments.init_file.clear();
     if (text == "random") {
-      arguments.options.init = InitialSites::random;
+      arguments.options.init = InitialSites::Random;
     } else if (text == "farthest") {
-      arguments.options.init = InitialSites::farthest;
+      arguments.options.init = InitialSites::Farthest;
     } else {
       arguments.init_file = text;
     }

@@ -25,7 +25,9 @@ RemeshOptions options_of(const RemeshArguments& arguments) {
     return options;
   }
   const std::string name = input_name(arguments.init_file);
-  options.initial_sites = about_file(name, [&] { return read_sites(arguments.init_file); });
+  SavedSites saved = about_file(name, [&] { return read_sites(arguments.init_file); });
+  options.initial_sites = std::move(saved.sites);
+  options.refine_for = saved.refine_for;
   const std::size_t found = options.initial_sites.size();
   if (arguments.sites_given && found != static_cast<std::size_t>(options.sites)) {
     throw Failure(ExitStatus::Usage,

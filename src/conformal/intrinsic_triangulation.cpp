@@ -16,7 +16,7 @@ constexpr double delaunay_tolerance = 1e-10;
 
 /// Triangles with less room than this in the triangle inequality, relative to their longest side,
 /// are degenerate to rounding and get the room of `mollified_room` mean edge lengths.
-constexpr double least_room = 1e-14, mollified_room = 1e-10;
+constexpr double least_room = 1e-14, mollified_room = 1e-5;
 
 double length(const IntrinsicTriangulation& t, Halfedge h) {
   return std::exp(t.log_length[h.index()]);
@@ -211,11 +211,14 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     const std::size_t flips_before = t.log.size();
     std::vector<Halfedge> rim{h.prev(), a[1], twin.next(), b[2]};
     flip_to_delaunay(t, rim);
-    // Only edges at the new vertex are new, whether by the split or by a flip.
+    // Edges that moved to another number, by the split or by a flip, lost their entries.
     for (std::size_t c = flips_before; c < t.log.size(); ++c) {
-      push(t.log.changes()[c].h);
+      const Halfedge f = t.log.changes()[c].h, g = t.log.changes()[c].t;
+      for (const Halfedge e : {f, f.next(), f.prev(), g.next(), g.prev()}) {
+        push(e);
+      }
     }
-    for (const Halfedge g : {h, h.next(), a[0], twin.prev()}) {
+    for (const Halfedge g : {h, h.next(), a[0], a[1], b[2], twin.prev()}) {
       push(g);
     }
   }

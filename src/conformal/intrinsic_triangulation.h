@@ -23,7 +23,7 @@ struct IntrinsicTriangulation {
 /// The intrinsic triangulation of a closed surface in space.
 ///
 /// Where a triangle is degenerate to rounding (zero-length edges, collinear corners) all lengths
-/// grow by the least constant that gives every triangle room of 1e-10 mean edge lengths (Sharp and
+/// grow by the least constant that gives every triangle room of 1e-5 mean edge lengths (Sharp and
 /// Crane 2020); otherwise they are exact. Throws InvalidInput when all edges have length zero.
 IntrinsicTriangulation intrinsic_triangulation(const TriangleMesh& mesh);
 

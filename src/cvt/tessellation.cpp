@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+
+#include "ucvt/error.h"
 
 namespace ucvt {
 namespace {
@@ -23,6 +27,20 @@ SurfacePoint off_the_edges(SurfacePoint p) {
     b /= sum;
   }
   return p;
+}
+
+const std::vector<SurfacePoint>& distinct(const std::vector<SurfacePoint>& sites) {
+  std::vector<std::pair<std::int32_t, std::array<double, 3>>> sorted;
+  for (const SurfacePoint& p : sites) {
+    sorted.emplace_back(p.face.id, p.bary);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) {
+    throw InvalidInput("two sites lie at one place of face " + std::to_string(twice->first) +
+                       "; give sites that differ");
+  }
+  return sites;
 }
 
 DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<SurfacePoint>& sites,
@@ -72,7 +90,7 @@ DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<Sur
 }  // namespace
 
 Tessellation::Tessellation(const CellIntegrator& integrator, const std::vector<SurfacePoint>& sites)
-    : integrator_(integrator), d_(triangulate(integrator.surface(), sites, places_)) {}
+    : integrator_(integrator), d_(triangulate(integrator.surface(), distinct(sites), places_)) {}
 
 std::vector<SurfacePoint> Tessellation::sites() const {
   std::vector<SurfacePoint> out;

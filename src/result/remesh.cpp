@@ -28,6 +28,9 @@ constexpr double edge_per_spacing = 0.5;
 /// that takes the sites away again from a handle too thin for them, they are kept there from then on.
 constexpr int free_rounds = 3, max_rounds = 40;
 
+/// Draws of random initial sites before giving up.
+constexpr int max_draws = 200;
+
 double longest_edge_for(const TriangleMesh& mesh, int sites) {
   const double cell = survey(mesh).area / sites;
   return edge_per_spacing * std::sqrt(2 * cell / std::numbers::sqrt3);
@@ -66,7 +69,7 @@ std::vector<SurfacePoint> initial_sites(const Uniformized& t, const RemeshOption
     return as_points(options.initial_sites, t.surface.connectivity().face_count());
   }
   const auto n = static_cast<std::size_t>(options.sites);
-  if (options.init == InitialSites::random) {
+  if (options.init == InitialSites::Random) {
     return random_sites(t.surface, t.vertex_area_3d, n, options.seed);
   }
   const Connectivity& c = t.surface.connectivity();
@@ -98,15 +101,15 @@ class Remesher {
  public:
   Remesher(const ClosedSurface& surface, const RemeshOptions& options)
       : options_(options),
-        surface_(
-            uniformize(surface, {longest_edge_for(surface.mesh, options.sites), options.monitor})),
+        surface_(uniformize(surface,
+                            {longest_edge_for(surface.mesh, options.refine_for), options.monitor})),
         t_(surface_.value()),
         factor_(conformal_factor(t_)),
         integrator_(t_.surface, uniform_sizing_density(factor_)) {}
 
   RemeshResult run() {
     const auto start = std::chrono::steady_clock::now();
-    sites_.emplace(integrator_, initial_sites(t_, options_));
+    place_initial_sites();
     optimize();
     const std::size_t asked = sites_->site_count();
     for (int round = 0; options_.ensure_simplicial && round < max_rounds; ++round) {
@@ -123,6 +126,24 @@ class Remesher {
   }
 
  private:
+  /// Few random sites on a sphere may all lie in one hemisphere, where no Delaunay triangulation by
+  /// geodesic triangles exists; the next random numbers do better.
+  void place_initial_sites() {
+    RemeshOptions options = options_;
+    const bool redraw = options.init == InitialSites::Random && options.initial_sites.empty();
+    for (int tries = redraw ? max_draws : 1;; --tries) {
+      try {
+        sites_.emplace(integrator_, initial_sites(t_, options));
+        return;
+      } catch (const NumericalError&) {
+        if (tries <= 1) {
+          throw;
+        }
+        options.seed = options.seed * 6364136223846793005u + 1442695040888963407u;
+      }
+    }
+  }
+
   void optimize() {
     const LloydOptions lloyd_options{options_.iterations, options_.tolerance, fixed_};
     auto result = lloyd(*sites_, lloyd_options, options_.monitor);
@@ -161,8 +182,15 @@ class Remesher {
   [[nodiscard]] RemeshResult collect(std::int64_t added) const {
     const DelaunayTriangulation& d = sites_->delaunay();
     const std::vector<SurfacePoint> points = sites_->sites();
-    RemeshResult out{
-        dual_mesh(t_, d, points), surface_, {}, integrator_.density(), cvt_, {}, {}, {}};
+    RemeshResult out{dual_mesh(t_, d, points),
+                     surface_,
+                     {},
+                     options_.refine_for,
+                     integrator_.density(),
+                     cvt_,
+                     {},
+                     {},
+                     {}};
     for (const SurfacePoint& p : points) {
       out.sites.push_back({p.face.id, p.bary});
     }
@@ -201,6 +229,9 @@ RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options) 
     used.sites = static_cast<int>(used.initial_sites.size());
   }
   check_count(surface, used.sites);
+  if (used.refine_for <= 0) {
+    used.refine_for = used.sites;
+  }
   std::optional<tbb::global_control> limit;
   if (used.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism,

@@ -1,39 +1,20 @@
-#include <fstream>
-#include <iostream>
-#include <iterator>
+#include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "mesh/file_input.h"
 #include "mesh/output_file.h"
 #include "ucvt/error.h"
 #include "ucvt/remesh.h"
 
 namespace ucvt {
-namespace {
+namespace {}  // namespace
 
-std::string slurp(const std::string& path) {
-  const auto all = [](std::istream& in) {
-    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-  };
-  if (path == "-") {
-    return all(std::cin);
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw IoError("cannot be opened; check the path and its permissions");
-  }
-  std::string text = all(file);
-  if (file.bad()) {
-    throw IoError("cannot be read; check the disk");
-  }
-  return text;
-}
-
-}  // namespace
-
-std::vector<Site> read_sites(const std::string& path) {
-  const auto json = nlohmann::json::parse(slurp(path), nullptr, false);
+SavedSites read_sites(const std::string& path) {
+  const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
   const auto wrong = [](const std::string& what) {
     return InvalidInput(what + "; give a file that --sites wrote");
   };
@@ -45,11 +26,12 @@ std::vector<Site> read_sites(const std::string& path) {
   }
   std::vector<Site> out;
   for (const auto& entry : json["sites"]) {
-    const bool valid = entry.is_object() && entry.contains("face") &&
-                       entry["face"].is_number_integer() && entry.contains("bary") &&
-                       entry["bary"].is_array() && entry["bary"].size() == 3 &&
-                       std::all_of(entry["bary"].begin(), entry["bary"].end(),
-                                   [](const auto& b) { return b.is_number(); });
+    const bool valid =
+        entry.is_object() && entry.contains("face") && entry["face"].is_number_integer() &&
+        entry["face"].get<std::int64_t>() >= 0 && entry["face"].get<std::int64_t>() <= INT32_MAX &&
+        entry.contains("bary") && entry["bary"].is_array() && entry["bary"].size() == 3 &&
+        std::all_of(entry["bary"].begin(), entry["bary"].end(),
+                    [](const auto& b) { return b.is_number(); });
     if (!valid) {
       throw wrong(
           fmt::format("site {} has no face number with three barycentric coordinates", out.size()));
@@ -61,7 +43,11 @@ std::vector<Site> read_sites(const std::string& path) {
   if (out.empty()) {
     throw wrong("has an empty list \"sites\"");
   }
-  return out;
+  SavedSites saved{std::move(out), 0};
+  if (json.contains("refined_for") && json["refined_for"].is_number_integer()) {
+    saved.refine_for = json["refined_for"].get<int>();
+  }
+  return saved;
 }
 
 void write_sites(const std::string& path, const RemeshResult& result) {
@@ -70,6 +56,7 @@ void write_sites(const std::string& path, const RemeshResult& result) {
   for (const Site& s : result.sites) {
     list.push_back({{"face", s.face}, {"bary", s.bary}});
   }
+  json["refined_for"] = result.refined_for;
   json["density"] = result.density;
   OutputFile file(path);
   file.write(json.dump());

@@ -16,19 +16,20 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
 /// Degree of the rule that resolves a piece of the given squared size (its longest side in the
 /// space, roughly); 0 when the piece must be cut first.
 ///
-/// The integrand is a quadratic times a power series in f = kappa chord_form <= size2/3, so a rule of
-/// degree d leaves f^(d/2) times a quadrature error of 1e-2 or less: below 1e-13 at each bound.
+/// The integrands are cubics times a power series in f = kappa chord_form <= size2/3, so a rule of
+/// degree d leaves f^((d - 1)/2) times its quadrature error; the h moment, in which mu h and the
+/// excess cancel, sets the bounds.
 int degree_for(double size2) {
-  if (size2 < 1e-5) {
+  if (size2 < 1e-6) {
     return 5;
   }
-  if (size2 < 6e-4) {
+  if (size2 < 1e-4) {
     return 6;
   }
-  if (size2 < 5e-3) {
+  if (size2 < 1e-3) {
     return 8;
   }
-  if (size2 < 6e-2) {
+  if (size2 < 3e-2) {
     return 12;
   }
   if (size2 < 0.2) {

@@ -91,7 +91,7 @@ std::vector<QuadratureNode> normalized(std::vector<QuadratureNode> nodes) {
 
 std::vector<QuadratureNode> collapsed(int degree) {
   // The Jacobian of the collapse adds one degree along s.
-  const auto line = gauss_legendre(degree / 2 + 1);
+  const auto line = gauss_legendre((degree + 3) / 2);
   std::vector<QuadratureNode> nodes;
   for (const auto& [s, ws] : line) {
     for (const auto& [t, wt] : line) {

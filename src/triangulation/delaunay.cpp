@@ -164,6 +164,7 @@ Vertex DelaunayTriangulation::insert(Vertex v, const Isometry& frame, Vertex reu
 bool DelaunayTriangulation::try_remove(Vertex v) {
   // Flip away, of all edges at v whose quadrilateral is convex, the one that leaves the best
   // shaped triangle behind; some edge always can be while v has more than three.
+  std::vector<Halfedge> stack;
   while (connectivity_.degree(v) > 3) {
     Halfedge best;
     double best_shape = 0;
@@ -187,6 +188,7 @@ bool DelaunayTriangulation::try_remove(Vertex v) {
       return false;
     }
     flip(best);
+    stack.push_back(best);
   }
   const Halfedge a = connectivity_.outgoing(v);
   const Halfedge b = connectivity_.rotate(a), c = connectivity_.rotate(b);
@@ -195,7 +197,8 @@ bool DelaunayTriangulation::try_remove(Vertex v) {
   }
   const std::array<Offset, 3> rim{offset(a.next()), offset(b.next()), offset(c.next())};
   const Face face = connectivity_.remove_vertex_of_degree_3(v);
-  std::vector<Halfedge> stack;
+  // What was flipped inside the hole may have gone with the last faces of v, or lost its number.
+  std::erase_if(stack, [&](Halfedge h) { return connectivity_.is_removed(h.face()); });
   for (std::size_t i = 0; i < 3; ++i) {
     const Halfedge h = halfedges(face)[i];
     offset_[h.index()] = rim[i];

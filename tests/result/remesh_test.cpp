@@ -128,7 +128,7 @@ TEST_P(RemeshTest, SitesRoundTripExactlyAndRestart) {
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
   const std::string path = folder + "/sites.json";
   write_sites(path, out);
-  const auto back = read_sites(path);
+  const auto back = read_sites(path).sites;
   std::filesystem::remove_all(folder);
   ASSERT_EQ(back.size(), out.sites.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
