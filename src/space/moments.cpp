@@ -23,7 +23,7 @@ int degree_for(double size2) {
   if (size2 < 1e-6) {
     return 5;
   }
-  if (size2 < 1e-4) {
+  if (size2 < 1e-5) {
     return 6;
   }
   if (size2 < 1e-3) {

@@ -23,6 +23,10 @@ constexpr double edge_tolerance = 1e-14;
 /// Moves that cannot be made are halved down to this part of an edge before they are given up.
 constexpr double least_move = 1e-3;
 
+/// With no more vertices than this on a sphere, those that are left when one is away may lie in one
+/// hemisphere, which geodesic triangles cannot cover.
+constexpr std::size_t least_on_sphere = 12;
+
 double radius(const Offset& p) {
   return std::hypot(p.x, p.y);
 }
@@ -164,7 +168,8 @@ Vertex DelaunayTriangulation::insert(Vertex v, const Isometry& frame, Vertex reu
 bool DelaunayTriangulation::try_remove(Vertex v) {
   // Flip away, of all edges at v whose quadrilateral is convex, the one that leaves the best
   // shaped triangle behind; some edge always can be while v has more than three.
-  std::vector<Halfedge> stack;
+  std::vector<Vertex> link;
+  connectivity_.for_outgoing(v, [&](Halfedge h) { link.push_back(connectivity_.head(h)); });
   while (connectivity_.degree(v) > 3) {
     Halfedge best;
     double best_shape = 0;
@@ -188,7 +193,6 @@ bool DelaunayTriangulation::try_remove(Vertex v) {
       return false;
     }
     flip(best);
-    stack.push_back(best);
   }
   const Halfedge a = connectivity_.outgoing(v);
   const Halfedge b = connectivity_.rotate(a), c = connectivity_.rotate(b);
@@ -197,12 +201,14 @@ bool DelaunayTriangulation::try_remove(Vertex v) {
   }
   const std::array<Offset, 3> rim{offset(a.next()), offset(b.next()), offset(c.next())};
   const Face face = connectivity_.remove_vertex_of_degree_3(v);
-  // What was flipped inside the hole may have gone with the last faces of v, or lost its number.
-  std::erase_if(stack, [&](Halfedge h) { return connectivity_.is_removed(h.face()); });
   for (std::size_t i = 0; i < 3; ++i) {
-    const Halfedge h = halfedges(face)[i];
-    offset_[h.index()] = rim[i];
-    stack.push_back(h);
+    offset_[halfedges(face)[i].index()] = rim[i];
+  }
+  std::vector<Halfedge> stack;
+  for (const Vertex w : link) {
+    if (w != v) {
+      connectivity_.for_outgoing(w, [&](Halfedge h) { stack.push_back(h); });
+    }
   }
   flip_to_delaunay(std::move(stack));
   return true;
@@ -255,7 +261,8 @@ Offset DelaunayTriangulation::move(Vertex v, const Offset& to) {
       link = h;
     }
   });
-  if (link.id >= 0) {
+  const bool removable = space_.kappa <= 0 || vertex_count() > least_on_sphere;
+  if (link.id >= 0 && removable) {
     // A neighbour keeps the place while v is away.
     const Vertex anchor = connectivity_.head(link);
     const Offset anchor_seen = transvect_back(space_, to, offset(link));
