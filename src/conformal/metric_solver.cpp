@@ -30,7 +30,7 @@ MetricSolver::MetricSolver(Space space, IntrinsicTriangulation& t, std::vector<d
 
 bool MetricSolver::has_geometry(Face f) const {
   return std::ranges::none_of(halfedges(f), [&](Halfedge h) {
-    return role_[t_.connectivity.origin(h).index()] == VertexRole::puncture;
+    return role_[t_.connectivity.origin(h).index()] == VertexRole::Puncture;
   });
 }
 
@@ -52,7 +52,7 @@ bool MetricSolver::should_flip(Halfedge h) const {
   }
   for (const Halfedge g : {h, twin}) {
     // The puncture sees only the nearest vertices, those at the distance of the pin.
-    if (role_[t_.connectivity.origin(g).index()] == VertexRole::puncture) {
+    if (role_[t_.connectivity.origin(g).index()] == VertexRole::Puncture) {
       return beyond_pin(g) && t_.connectivity.degree(t_.connectivity.origin(g)) > 3;
     }
   }
@@ -95,11 +95,11 @@ bool MetricSolver::flip_to_delaunay() {
   // What an abandoned step left in the puncture's link is pinned there, unless it went by itself.
   std::vector<Halfedge> left;
   for (std::size_t v = 0; v < role_.size(); ++v) {
-    if (role_[v] != VertexRole::puncture) {
+    if (role_[v] != VertexRole::Puncture) {
       continue;
     }
     c.for_outgoing({static_cast<std::int32_t>(v)}, [&](Halfedge h) {
-      if (role_[c.head(h).index()] == VertexRole::solved) {
+      if (role_[c.head(h).index()] == VertexRole::Solved) {
         pin(h, left);
       }
     });
@@ -127,7 +127,7 @@ bool MetricSolver::flip_from(std::vector<Halfedge> stack, std::int64_t limit) {
     half_[h.index()] = half_[twin.index()] = half_chord(h);
     stack.insert(stack.end(), {h.next(), h.prev(), twin.next(), twin.prev()});
     for (const Halfedge out : {h, twin}) {
-      if (role_[c.origin(out).index()] == VertexRole::puncture) {
+      if (role_[c.origin(out).index()] == VertexRole::Puncture) {
         pin(out, stack);
       }
     }
@@ -137,12 +137,12 @@ bool MetricSolver::flip_from(std::vector<Halfedge> stack, std::int64_t limit) {
 
 void MetricSolver::pin(Halfedge from_puncture, std::vector<Halfedge>& changed) {
   const Vertex v = t_.connectivity.head(from_puncture);
-  if (role_[v.index()] == VertexRole::puncture) {
+  if (role_[v.index()] == VertexRole::Puncture) {
     link_is_simple_ = false;
     return;
   }
-  if (role_[v.index()] == VertexRole::solved) {
-    role_[v.index()] = VertexRole::held;
+  if (role_[v.index()] == VertexRole::Solved) {
+    role_[v.index()] = VertexRole::Held;
     pinned_.push_back(v);
   }
   u_[v.index()] = std::max(u_[v.index()], pin_ - 2 * t_.log_length[from_puncture.index()]);
@@ -155,7 +155,7 @@ void MetricSolver::pin(Halfedge from_puncture, std::vector<Halfedge>& changed) {
 
 void MetricSolver::unpin() {
   for (const Vertex v : pinned_) {
-    role_[v.index()] = VertexRole::solved;
+    role_[v.index()] = VertexRole::Solved;
   }
   link_is_simple_ = true;
 }
@@ -210,7 +210,7 @@ bool MetricSolver::evaluate() {
   }
   gradient_.assign(u_.size(), 0);
   for (std::size_t v = 0; v < u_.size(); ++v) {
-    if (role_[v] == VertexRole::solved) {
+    if (role_[v] == VertexRole::Solved) {
       gradient_[v] = 2 * std::numbers::pi - angle_sum_[v];
     }
   }
@@ -226,7 +226,7 @@ bool MetricSolver::newton_direction(std::vector<double>& direction) {
   std::vector<std::int32_t> number(u_.size(), -1);
   std::int32_t unknowns = 0;
   for (std::size_t v = 0; v < u_.size(); ++v) {
-    if (role_[v] == VertexRole::solved) {
+    if (role_[v] == VertexRole::Solved) {
       number[v] = unknowns++;
     }
   }

@@ -17,7 +17,7 @@ namespace ucvt {
 
 /// What a face or vertex means to the solver: a vertex can be solved for, held, or be the puncture,
 /// whose star has no geometry.
-enum class VertexRole : char { solved, held, puncture };
+enum class VertexRole : char { Solved, Held, Puncture };
 
 class MetricSolver {
  public:

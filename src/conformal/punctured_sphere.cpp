@@ -96,10 +96,10 @@ class PuncturedPlane {
 
  private:
   [[nodiscard]] std::vector<VertexRole> roles() const {
-    std::vector<VertexRole> role(t_.connectivity.vertex_count(), VertexRole::solved);
-    role[puncture_.index()] = VertexRole::puncture;
+    std::vector<VertexRole> role(t_.connectivity.vertex_count(), VertexRole::Solved);
+    role[puncture_.index()] = VertexRole::Puncture;
     t_.connectivity.for_outgoing(
-        puncture_, [&](Halfedge h) { role[t_.connectivity.head(h).index()] = VertexRole::held; });
+        puncture_, [&](Halfedge h) { role[t_.connectivity.head(h).index()] = VertexRole::Held; });
     return role;
   }
 
@@ -131,7 +131,7 @@ class PuncturedPlane {
       const Vertex v = c.head(h);
       const double excess = angle[v.index()] - std::numbers::pi;
       ptolemy_flip(t_, h);
-      solver_.set_role(v, VertexRole::solved);
+      solver_.set_role(v, VertexRole::Solved);
       // The new triangle is flat as yet; give it room.
       u_[v.index()] += std::clamp(excess / 2, 1e-6, 0.2);
       any = true;
@@ -250,9 +250,9 @@ std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vec
 /// and link vertices so nearly straight that neither side of the bound holds them to 1e-10.
 MetricSolver::Result polish(IntrinsicTriangulation& t, std::vector<double>& u,
                             const std::array<Vertex, 3>& held, const MetricSolver::Watch& watch) {
-  std::vector<VertexRole> role(u.size(), VertexRole::solved);
+  std::vector<VertexRole> role(u.size(), VertexRole::Solved);
   for (const Vertex v : held) {
-    role[v.index()] = VertexRole::held;
+    role[v.index()] = VertexRole::Held;
   }
   return MetricSolver({1}, t, u, std::move(role)).solve(1e-10, max_polish_steps, watch);
 }
@@ -271,7 +271,7 @@ MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>
     }
     u.assign(t.connectivity.vertex_count(), 0);
     if (tried > 1) {
-      MetricSolver(Space{0}, t, u, std::vector<VertexRole>(u.size(), VertexRole::held))
+      MetricSolver(Space{0}, t, u, std::vector<VertexRole>(u.size(), VertexRole::Held))
           .flip_to_delaunay();
       if (!star_safety(t, puncture)) {
         continue;

@@ -31,8 +31,8 @@ struct Solution {
 };
 
 Solution solve_plane(IntrinsicTriangulation& t, double area, const MetricSolver::Watch& watch) {
-  std::vector<VertexRole> role(t.connectivity.vertex_count(), VertexRole::solved);
-  role[0] = VertexRole::held;
+  std::vector<VertexRole> role(t.connectivity.vertex_count(), VertexRole::Solved);
+  role[0] = VertexRole::Held;
   // Flat metrics scale freely: this one keeps the surface's area.
   Solution out{std::vector<double>(role.size(), 0.0), {}};
   out.result = MetricSolver(Space{0}, t, out.u, role).solve(1e-11, max_newton_steps, watch);
@@ -58,7 +58,7 @@ Solution solve_hyperbolic(IntrinsicTriangulation& t, double area,
   const double target = -2 * std::numbers::pi * static_cast<double>(t.connectivity.euler_number());
   const std::size_t n = t.connectivity.vertex_count();
   Solution out{std::vector<double>(n, std::log(target / area) / 2), {}};
-  MetricSolver solver({-1}, t, out.u, std::vector<VertexRole>(n, VertexRole::solved));
+  MetricSolver solver({-1}, t, out.u, std::vector<VertexRole>(n, VertexRole::Solved));
   out.result = solver.solve(1e-11, max_newton_steps, watch);
   return out;
 }

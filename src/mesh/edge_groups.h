@@ -22,8 +22,8 @@ class EdgeGroups {
  public:
   explicit EdgeGroups(const TriangleMesh& mesh);
 
-  std::int64_t size() const { return static_cast<std::int64_t>(first_.size()) - 1; }
-  std::span<const EdgeSide> sides(std::int64_t edge) const {
+  [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(first_.size()) - 1; }
+  [[nodiscard]] std::span<const EdgeSide> sides(std::int64_t edge) const {
     const auto e = static_cast<std::size_t>(edge);
     return std::span(sides_).subspan(first_[e], first_[e + 1] - first_[e]);
   }

@@ -28,12 +28,12 @@ struct Descriptor {
 };
 
 std::string read_all(int descriptor, std::size_t expected) {
-  constexpr std::size_t kChunk = std::size_t{1} << 16;
+  constexpr std::size_t chunk = std::size_t{1} << 16;
   std::string bytes;
   std::size_t size = 0;
-  bytes.resize(expected + kChunk);
+  bytes.resize(expected + chunk);
   while (true) {
-    if (bytes.size() - size < kChunk) {
+    if (bytes.size() - size < chunk) {
       bytes.resize(bytes.size() * 2);
     }
     const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);

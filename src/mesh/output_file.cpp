@@ -17,9 +17,9 @@
 namespace ucvt {
 namespace {
 
-constexpr std::size_t kBufferSize = std::size_t{1} << 20;
-constexpr mode_t kReadWriteAll = 0666;  // less the umask
-constexpr mode_t kPermissions = 07777;
+constexpr std::size_t buffer_size = std::size_t{1} << 20;
+constexpr mode_t read_write_all = 0666;  // less the umask
+constexpr mode_t permissions = 07777;
 
 // Keeps a write to a closed pipe from killing the process, so that it is an error like others.
 class PipeSignalBlock {
@@ -105,7 +105,7 @@ OutputFile::OutputFile(const std::string& path) {
     fail("write the file", errno);
   }
   open_temporary(path);
-  if (exists && ::fchmod(descriptor_, status.st_mode & kPermissions) != 0) {
+  if (exists && ::fchmod(descriptor_, status.st_mode & permissions) != 0) {
     const int error = errno;
     ::close(descriptor_);
     ::unlink(temporary_.c_str());
@@ -115,7 +115,7 @@ OutputFile::OutputFile(const std::string& path) {
 
 void OutputFile::open_direct(const std::string& path) {
   direct_ = true;
-  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_NOCTTY, kReadWriteAll);
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_NOCTTY, read_write_all);
   if (descriptor_ < 0) {
     fail("open the file", errno);
   }
@@ -128,7 +128,7 @@ void OutputFile::open_temporary(const std::string& path) {
   while (descriptor_ < 0 && error == EEXIST) {
     temporary_ = fmt::format("{}.{}-{}.part", target_, ::getpid(), counter++);
     descriptor_ =
-        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kReadWriteAll);
+        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, read_write_all);
     error = errno;
   }
   if (descriptor_ < 0) {
@@ -147,7 +147,7 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::string_view bytes) {
   buffer_.append(bytes);
-  if (!direct_ && buffer_.size() >= kBufferSize) {
+  if (!direct_ && buffer_.size() >= buffer_size) {
     flush();
   }
 }

@@ -17,6 +17,8 @@ class OutputFile {
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile(OutputFile&&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
 
   /// Appends bytes. Throws IoError when the disk is full.
   void write(std::string_view bytes);

@@ -9,23 +9,23 @@
 namespace ucvt {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
-    {"char", PlyType::kInt8},
-    {"int8", PlyType::kInt8},
-    {"uchar", PlyType::kUint8},
-    {"uint8", PlyType::kUint8},
-    {"short", PlyType::kInt16},
-    {"int16", PlyType::kInt16},
-    {"ushort", PlyType::kUint16},
-    {"uint16", PlyType::kUint16},
-    {"int", PlyType::kInt32},
-    {"int32", PlyType::kInt32},
-    {"uint", PlyType::kUint32},
-    {"uint32", PlyType::kUint32},
-    {"float", PlyType::kFloat},
-    {"float32", PlyType::kFloat},
-    {"double", PlyType::kDouble},
-    {"float64", PlyType::kDouble},
+constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names = {{
+    {"char", PlyType::Int8},
+    {"int8", PlyType::Int8},
+    {"uchar", PlyType::Uint8},
+    {"uint8", PlyType::Uint8},
+    {"short", PlyType::Int16},
+    {"int16", PlyType::Int16},
+    {"ushort", PlyType::Uint16},
+    {"uint16", PlyType::Uint16},
+    {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},
+    {"uint", PlyType::Uint32},
+    {"uint32", PlyType::Uint32},
+    {"float", PlyType::Float},
+    {"float32", PlyType::Float},
+    {"double", PlyType::Double},
+    {"float64", PlyType::Double},
 }};
 
 class HeaderReader {
@@ -59,7 +59,7 @@ std::string_view HeaderReader::need_word(std::string_view what) {
 
 PlyType HeaderReader::read_type() {
   const std::string_view word = need_word("a type");
-  for (const auto& [name, type] : kTypeNames) {
+  for (const auto& [name, type] : type_names) {
     if (name == word) {
       return type;
     }
@@ -102,7 +102,7 @@ void HeaderReader::read_property() {
   if (ahead.word_in_line() == "list") {
     scanner_ = ahead;
     property.list_count = read_type();
-    if (*property.list_count == PlyType::kFloat || *property.list_count == PlyType::kDouble) {
+    if (*property.list_count == PlyType::Float || *property.list_count == PlyType::Double) {
       refuse("the PLY header gives a list a length that is not an integer (line {}); use uchar",
              scanner_.line());
     }
@@ -167,13 +167,13 @@ PlyHeader HeaderReader::read() {
 
 std::size_t size_of(PlyType type) {
   switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
+    case PlyType::Int8:
+    case PlyType::Uint8:
       return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
+    case PlyType::Int16:
+    case PlyType::Uint16:
       return 2;
-    case PlyType::kDouble:
+    case PlyType::Double:
       return 8;
     default:
       return 4;

@@ -10,13 +10,13 @@
 
 namespace ucvt {
 
-enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
+enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
 
 std::size_t size_of(PlyType type);
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::kFloat;
+  PlyType type = PlyType::Float;
   std::optional<PlyType> list_count;  // of lists: the type of their length
 };
 

@@ -8,13 +8,13 @@
 namespace ucvt {
 namespace {
 
-constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+constexpr std::uint64_t Empty = ~std::uint64_t{0};
 // Twice an area in the unit box that rounding of the projection can make from collinear points.
-constexpr double kFlat = 1e-14;
+constexpr double flat = 1e-14;
 // A used diagonal ranks below every unused one; qualities lie in [-1, 1].
-constexpr double kUsedPenalty = 4;
+constexpr double used_penalty = 4;
 // A quad's second diagonal must be better by this much, so that rounding does not choose.
-constexpr double kClearlyBetter = 1e-9;
+constexpr double clearly_better = 1e-9;
 
 std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
   const auto [low, high] = std::minmax(a, b);
@@ -65,24 +65,24 @@ std::size_t find_repeated(std::span<const std::int32_t> corners) {
 }  // namespace
 
 EdgeSet::EdgeSet(std::size_t expected)
-    : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), kEmpty) {}
+    : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), Empty) {}
 
 std::size_t EdgeSet::slot(std::uint64_t key) const {
   const std::size_t mask = slots_.size() - 1;
   std::uint64_t hash = key * 0x9E3779B97F4A7C15U;
   hash ^= hash >> 32;
   std::size_t i = static_cast<std::size_t>(hash) & mask;
-  while (slots_[i] != kEmpty && slots_[i] != key) {
+  while (slots_[i] != Empty && slots_[i] != key) {
     i = (i + 1) & mask;
   }
   return i;
 }
 
 void EdgeSet::grow() {
-  std::vector<std::uint64_t> old(slots_.size() * 2, kEmpty);
+  std::vector<std::uint64_t> old(slots_.size() * 2, Empty);
   old.swap(slots_);
   for (const std::uint64_t key : old) {
-    if (key != kEmpty) {
+    if (key != Empty) {
       slots_[slot(key)] = key;
     }
   }
@@ -101,7 +101,7 @@ void EdgeSet::insert(std::int32_t a, std::int32_t b) {
 }
 
 bool EdgeSet::contains(std::int32_t a, std::int32_t b) const {
-  return slots_[slot(edge_key(a, b))] != kEmpty;
+  return slots_[slot(edge_key(a, b))] != Empty;
 }
 
 void PolygonCutter::add_boundary(std::span<const std::int32_t> corners) {
@@ -236,13 +236,13 @@ void PolygonCutter::cut_quad(std::span<const std::int32_t> corners, const Positi
                              std::vector<Corners>& triangles) {
   const auto& p = points_;
   double first =
-      std::min(shape(p[0], p[1], p[2], normal), shape(p[0], p[2], p[3], normal)) + kClearlyBetter;
+      std::min(shape(p[0], p[1], p[2], normal), shape(p[0], p[2], p[3], normal)) + clearly_better;
   double second = std::min(shape(p[1], p[2], p[3], normal), shape(p[1], p[3], p[0], normal));
   if (edges_.contains(corners[0], corners[2])) {
-    first -= kUsedPenalty;
+    first -= used_penalty;
   }
   if (edges_.contains(corners[1], corners[3])) {
-    second -= kUsedPenalty;
+    second -= used_penalty;
   }
   cut_fan(corners, second > first ? 1 : 0, triangles);
 }
@@ -289,7 +289,7 @@ Position PolygonCutter::load_points(std::span<const std::int32_t> corners) {
     }
   }
   const double length = std::sqrt(dot(normal, normal));
-  if (!(length > kFlat)) {
+  if (!(length > flat)) {
     return {0, 0, 0};
   }
   for (double& c : normal) {
@@ -329,7 +329,7 @@ double PolygonCutter::area(std::int32_t a, std::int32_t b, std::int32_t c) const
 
 void PolygonCutter::classify(std::int32_t corner) {
   Corner& c = ring_[static_cast<std::size_t>(corner)];
-  const bool reflex = !(area(c.prev, corner, c.next) > kFlat);
+  const bool reflex = !(area(c.prev, corner, c.next) > flat);
   if (reflex && !c.reflex) {
     late_reflex_.push_back(corner);
   }
@@ -343,8 +343,8 @@ bool PolygonCutter::blocks(std::int32_t other, std::int32_t corner) const {
   if (c.version < 0 || !c.reflex || other == tip.prev || other == tip.next) {
     return false;
   }
-  if (area(tip.prev, corner, other) < -kFlat || area(corner, tip.next, other) < -kFlat ||
-      area(tip.next, tip.prev, other) < -kFlat) {
+  if (area(tip.prev, corner, other) < -flat || area(corner, tip.next, other) < -flat ||
+      area(tip.next, tip.prev, other) < -flat) {
     return false;
   }
   const auto same_place = [&](std::int32_t i) {
@@ -362,8 +362,8 @@ bool PolygonCutter::is_ear(std::int32_t corner) const {
   }
   const double before = ring_[static_cast<std::size_t>(tip.prev)].x;
   const double after = ring_[static_cast<std::size_t>(tip.next)].x;
-  const double low = std::min({before, tip.x, after}) - kFlat;
-  const double high = std::max({before, tip.x, after}) + kFlat;
+  const double low = std::min({before, tip.x, after}) - flat;
+  const double high = std::max({before, tip.x, after}) + flat;
   const auto x = [this](std::int32_t i) { return ring_[static_cast<std::size_t>(i)].x; };
   for (auto other = std::lower_bound(reflex_.begin(), reflex_.end(), low,
                                      [&](std::int32_t i, double bound) { return x(i) < bound; });
@@ -393,7 +393,7 @@ void PolygonCutter::offer(std::int32_t corner) {
   double quality = area(tip.prev, corner, tip.next) /
                    (square(prev, tip) + square(tip, next) + square(next, prev));
   if (edges_.contains(prev.vertex, next.vertex)) {
-    quality -= kUsedPenalty;
+    quality -= used_penalty;
   }
   ears_.push({quality, corner, tip.version});
 }

@@ -20,10 +20,10 @@ class EdgeSet {
  public:
   explicit EdgeSet(std::size_t expected);
   void insert(std::int32_t a, std::int32_t b);
-  bool contains(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] bool contains(std::int32_t a, std::int32_t b) const;
 
  private:
-  std::size_t slot(std::uint64_t key) const;
+  [[nodiscard]] std::size_t slot(std::uint64_t key) const;
   void grow();
 
   std::vector<std::uint64_t> slots_;
@@ -69,11 +69,11 @@ class PolygonCutter {
   std::int32_t clip_ears(std::vector<Corners>& triangles);
   std::int32_t clip(std::int32_t corner, std::vector<Corners>& triangles);
   void classify(std::int32_t corner);
-  bool blocks(std::int32_t other, std::int32_t corner) const;
-  bool is_ear(std::int32_t corner) const;
+  [[nodiscard]] bool blocks(std::int32_t other, std::int32_t corner) const;
+  [[nodiscard]] bool is_ear(std::int32_t corner) const;
   void offer(std::int32_t corner);
-  double area(std::int32_t a, std::int32_t b, std::int32_t c) const;
-  std::size_t best_apex(std::span<const std::int32_t> corners) const;
+  [[nodiscard]] double area(std::int32_t a, std::int32_t b, std::int32_t c) const;
+  [[nodiscard]] std::size_t best_apex(std::span<const std::int32_t> corners) const;
 
   const std::vector<Position>& positions_;
   EdgeSet edges_;

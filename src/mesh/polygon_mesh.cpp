@@ -93,11 +93,11 @@ void refuse_corner_count(std::int64_t face, std::int64_t corners, const std::str
 }
 
 void check_size(std::int64_t vertices, std::int64_t faces) {
-  if (vertices > kMaxVertices) {
-    refuse("there are {} vertices; at most {} can be taken", vertices, kMaxVertices);
+  if (vertices > max_vertices) {
+    refuse("there are {} vertices; at most {} can be taken", vertices, max_vertices);
   }
-  if (faces > kMaxFaces) {
-    refuse("there are {} faces; at most {} can be taken", faces, kMaxFaces);
+  if (faces > max_faces) {
+    refuse("there are {} faces; at most {} can be taken", faces, max_faces);
   }
 }
 

@@ -20,7 +20,7 @@ class PolygonMesh {
   /// Adds a polygon of three corners or more.
   void add_face(std::span<const std::int32_t> corners);
   void reserve_triangles(std::size_t count) { triangles_.reserve(count); }
-  std::int64_t face_count() const { return face_count_; }
+  [[nodiscard]] std::int64_t face_count() const { return face_count_; }
 
   /// The mesh, polygons cut into triangles that stand where the polygon stood. Throws InvalidInput
   /// when there is no face. Leaves this empty.
@@ -55,8 +55,8 @@ void check_finite(const Position& position, std::int64_t vertex, std::int64_t li
                                       const std::string& where);
 
 /// The largest counts that index arithmetic in 32 bits allows; more are refused.
-inline constexpr std::int64_t kMaxVertices = 2'147'483'647;
-inline constexpr std::int64_t kMaxFaces = 715'827'882;
+inline constexpr std::int64_t max_vertices = 2'147'483'647;
+inline constexpr std::int64_t max_faces = 715'827'882;
 void check_size(std::int64_t vertices, std::int64_t faces);
 
 }  // namespace ucvt

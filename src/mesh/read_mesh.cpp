@@ -14,14 +14,14 @@
 namespace ucvt {
 namespace {
 
-enum class Format { kUnknown, kOff, kObj, kPly, kStlText, kStlBinary };
+enum class Format { Unknown, Off, Obj, Ply, StlText, StlBinary };
 
 struct Stranger {
   std::string_view begin, message;
 };
 
 // Files that users give by mistake, told from their first bytes.
-constexpr std::array<Stranger, 6> kStrangers = {{
+constexpr std::array<Stranger, 6> strangers = {{
     {"version https://git-lfs",
      "this is a Git LFS pointer, not the mesh; fetch it with git lfs pull"},
     {"\x1f\x8b", "this is a gzip file; unpack it first"},
@@ -73,11 +73,11 @@ bool looks_like_stl_text(std::string_view bytes) {
 }
 
 bool looks_like_obj(std::string_view bytes) {
-  constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn",     "vt",     "f", "o", "g",
-                                                          "s", "mtllib", "usemtl", "l", "p"};
+  constexpr std::array<std::string_view, 11> keywords = {"v", "vn",     "vt",     "f", "o", "g",
+                                                         "s", "mtllib", "usemtl", "l", "p"};
   TextScanner scanner(bytes, {.hash_comments = true, .continued_lines = true});
   const std::string_view first = scanner.word();
-  return std::find(kKeywords.begin(), kKeywords.end(), first) != kKeywords.end();
+  return std::find(keywords.begin(), keywords.end(), first) != keywords.end();
 }
 
 // Control characters that no text has.
@@ -90,45 +90,45 @@ bool is_binary(std::string_view bytes) {
 
 Format format_of(std::string_view bytes, const std::string& extension) {
   if (looks_like_ply(bytes)) {
-    return Format::kPly;
+    return Format::Ply;
   }
   if (looks_like_off(bytes)) {
-    return Format::kOff;
+    return Format::Off;
   }
   if (looks_like_binary_stl(bytes)) {
-    return Format::kStlBinary;
+    return Format::StlBinary;
   }
   if (looks_like_stl_text(bytes)) {
-    return Format::kStlText;
+    return Format::StlText;
   }
   if (extension == ".stl") {
-    return is_binary(bytes) ? Format::kStlBinary : Format::kStlText;
+    return is_binary(bytes) ? Format::StlBinary : Format::StlText;
   }
   if (is_binary(bytes)) {
-    return Format::kUnknown;
+    return Format::Unknown;
   }
   if (extension == ".off") {
-    return Format::kOff;
+    return Format::Off;
   }
   if (extension == ".obj" || looks_like_obj(bytes)) {
-    return Format::kObj;
+    return Format::Obj;
   }
-  return Format::kUnknown;
+  return Format::Unknown;
 }
 
 TriangleMesh read_as(Format format, std::string_view bytes) {
   switch (format) {
-    case Format::kOff:
+    case Format::Off:
       return read_off(bytes);
-    case Format::kObj:
+    case Format::Obj:
       return read_obj(bytes);
-    case Format::kPly:
+    case Format::Ply:
       return read_ply(bytes);
-    case Format::kStlText:
+    case Format::StlText:
       return read_stl_text(bytes);
-    case Format::kStlBinary:
+    case Format::StlBinary:
       return read_stl_binary(bytes);
-    case Format::kUnknown:
+    case Format::Unknown:
       break;
   }
   refuse("this is no mesh in a known format; give an OFF, OBJ, PLY or STL file");
@@ -148,7 +148,7 @@ TriangleMesh read_mesh(const std::string& path) {
   if (text.starts_with("\xef\xbb\xbf")) {
     text.remove_prefix(3);
   }
-  for (const Stranger& stranger : kStrangers) {
+  for (const Stranger& stranger : strangers) {
     if (text.starts_with(stranger.begin)) {
       throw InvalidInput(std::string(stranger.message));
     }

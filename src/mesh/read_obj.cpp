@@ -68,7 +68,7 @@ std::int32_t ObjReader::read_corner(std::string_view word) {
         "complete",
         face, index, counted(vertices, "vertex", "vertices"), scanner_.line());
   }
-  if (index > kMaxVertices) {
+  if (index > max_vertices) {
     refuse_index(face, index, vertices, at_line(scanner_.line()));
   }
   if (index > vertices && index > farthest_index_) {

@@ -15,12 +15,12 @@ namespace {
 
 // A line with more numbers than a vertex with normal, colour and texture can have holds several
 // vertices: the file is one stream of numbers.
-constexpr int kMostNumbersOfVertex = 3 + 3 + 4 + 2;
+constexpr int most_numbers_of_vertex = 3 + 3 + 4 + 2;
 
 struct Dress {
   bool texture = false, colours = false, normals = false;
   std::string_view magic;  // with the prefix letters
-  std::size_t numbers_per_vertex() const {
+  [[nodiscard]] std::size_t numbers_per_vertex() const {
     return 3U + (texture ? 2U : 0U) + (colours ? 4U : 0U) + (normals ? 3U : 0U);
   }
 };
@@ -69,7 +69,7 @@ class OffReader {
   void read_counts();
   std::int64_t read_count(std::string_view what, std::string_view word);
   void check_counts();
-  bool one_record_per_line() const;
+  [[nodiscard]] bool one_record_per_line() const;
   void read_vertices();
   void read_faces();
   void read_face(std::int64_t face);
@@ -131,7 +131,7 @@ bool OffReader::one_record_per_line() const {
   while (!ahead.word_in_line().empty()) {
     ++numbers;
   }
-  return numbers <= kMostNumbersOfVertex;
+  return numbers <= most_numbers_of_vertex;
 }
 
 std::string_view OffReader::need_word(std::string_view what, std::int64_t number,
@@ -212,14 +212,14 @@ class BinaryOffReader {
   TriangleMesh read();
 
  private:
-  std::int64_t integer(std::size_t at) const {
+  [[nodiscard]] std::int64_t integer(std::size_t at) const {
     return load_number<std::int32_t>(bytes_, at, order_);
   }
-  bool counts_fit() const;
-  bool faces_fit(bool colours) const;
+  [[nodiscard]] bool counts_fit() const;
+  [[nodiscard]] bool faces_fit(bool colours) const;
   TriangleMesh take(bool colours);
-  std::size_t vertex_stride() const { return 4 * dress_.numbers_per_vertex(); }
-  std::size_t faces_start() const {
+  [[nodiscard]] std::size_t vertex_stride() const { return 4 * dress_.numbers_per_vertex(); }
+  [[nodiscard]] std::size_t faces_start() const {
     return start_ + 12 + static_cast<std::size_t>(integer(start_)) * vertex_stride();
   }
 

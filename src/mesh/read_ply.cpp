@@ -24,11 +24,11 @@ class Values {
 
   double next(PlyType type) { return header_.ascii ? next_word(type) : next_binary(type); }
   void skip(PlyType type, std::int64_t count);
-  std::string where() const {
+  [[nodiscard]] std::string where() const {
     return header_.ascii ? at_line(header_.data_line + scanner_.line() - 1) : at_byte(at_);
   }
   /// Values of this type that the rest of the file can hold at most.
-  std::int64_t room(PlyType type) const {
+  [[nodiscard]] std::int64_t room(PlyType type) const {
     if (header_.ascii) {
       return static_cast<std::int64_t>(scanner_.bytes_left() / 2 + 1);
     }
@@ -59,7 +59,7 @@ double Values::next_word(PlyType type) {
     refuse_end();
   }
   std::int64_t integer = 0;
-  if (type != PlyType::kFloat && type != PlyType::kDouble && parse_integer(word, integer)) {
+  if (type != PlyType::Float && type != PlyType::Double && parse_integer(word, integer)) {
     return static_cast<double>(integer);
   }
   double value = 0;
@@ -77,21 +77,21 @@ double Values::next_binary(PlyType type) {
   const std::size_t at = at_;
   at_ += size_of(type);
   switch (type) {
-    case PlyType::kInt8:
+    case PlyType::Int8:
       return load_number<std::int8_t>(bytes_, at, header_.order);
-    case PlyType::kUint8:
+    case PlyType::Uint8:
       return load_number<std::uint8_t>(bytes_, at, header_.order);
-    case PlyType::kInt16:
+    case PlyType::Int16:
       return load_number<std::int16_t>(bytes_, at, header_.order);
-    case PlyType::kUint16:
+    case PlyType::Uint16:
       return load_number<std::uint16_t>(bytes_, at, header_.order);
-    case PlyType::kInt32:
+    case PlyType::Int32:
       return load_number<std::int32_t>(bytes_, at, header_.order);
-    case PlyType::kUint32:
+    case PlyType::Uint32:
       return load_number<std::uint32_t>(bytes_, at, header_.order);
-    case PlyType::kFloat:
+    case PlyType::Float:
       return static_cast<double>(load_number<float>(bytes_, at, header_.order));
-    case PlyType::kDouble:
+    case PlyType::Double:
       return load_number<double>(bytes_, at, header_.order);
   }
   return 0;
@@ -114,7 +114,7 @@ class PlyReader {
   TriangleMesh read();
 
  private:
-  const PlyElement* find(std::string_view name) const;
+  [[nodiscard]] const PlyElement* find(std::string_view name) const;
   void read_vertices(const PlyElement& element);
   void read_faces(const PlyElement& element, bool strips);
   std::int64_t read_length(const PlyProperty& property);
@@ -153,15 +153,15 @@ std::int64_t PlyReader::read_length(const PlyProperty& property) {
 
 void PlyReader::read_vertices(const PlyElement& element) {
   std::array<std::size_t, 3> slot_of = {};
-  constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
+  constexpr std::array<std::string_view, 3> names = {"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
     std::size_t i = 0;
     while (i < element.properties.size() &&
-           (element.properties[i].name != kNames[k] || element.properties[i].list_count)) {
+           (element.properties[i].name != names[k] || element.properties[i].list_count)) {
       ++i;
     }
     if (i == element.properties.size()) {
-      refuse("the vertices have no property {}; check that this is a mesh", kNames[k]);
+      refuse("the vertices have no property {}; check that this is a mesh", names[k]);
     }
     slot_of[k] = i;
   }

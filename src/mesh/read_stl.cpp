@@ -12,8 +12,8 @@
 namespace ucvt {
 namespace {
 
-constexpr std::size_t kHeaderSize = 84;
-constexpr std::size_t kFacetSize = 50;
+constexpr std::size_t header_size = 84;
+constexpr std::size_t facet_size = 50;
 
 bool same_word(std::string_view word, std::string_view lower_case) {
   return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(),
@@ -105,13 +105,13 @@ TriangleMesh read_stl_text(std::string_view bytes) {
 }
 
 TriangleMesh read_stl_binary(std::string_view bytes) {
-  if (bytes.size() < kHeaderSize) {
+  if (bytes.size() < header_size) {
     refuse("the file has {} bytes, a binary STL at least 84 (byte {}); check that it is complete",
            bytes.size(), bytes.size());
   }
   const auto count =
       static_cast<std::size_t>(load_number<std::uint32_t>(bytes, 80, std::endian::little));
-  const std::size_t room = (bytes.size() - kHeaderSize) / kFacetSize;
+  const std::size_t room = (bytes.size() - header_size) / facet_size;
   if (count != room) {
     refuse(
         "the header declares {}, but the file has room for {} (byte 80); check that it is "
@@ -128,7 +128,7 @@ TriangleMesh read_stl_binary(std::string_view bytes) {
   for (std::size_t i = 0; i < count; ++i) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t at = kHeaderSize + kFacetSize * i + 12 + 12 * k;
+      const std::size_t at = header_size + facet_size * i + 12 + 12 * k;
       Position position;
       for (std::size_t c = 0; c < 3; ++c) {
         position[c] =

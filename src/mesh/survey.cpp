@@ -84,8 +84,8 @@ void measure_vertices(const TriangleMesh& mesh, MeshSurvey& result) {
       used[static_cast<std::size_t>(v)] = true;
     }
   }
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Position low = {kFar, kFar, kFar}, high = {-kFar, -kFar, -kFar};
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Position low = {far, far, far}, high = {-far, -far, -far};
   VertexWelder welder(mesh.positions.size());
   std::int64_t count = 0;
   for (std::size_t v = 0; v < used.size(); ++v) {

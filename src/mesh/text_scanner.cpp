@@ -45,12 +45,12 @@ bool parse_swapped_exponent(std::string_view word, std::size_t rest, double& val
 }  // namespace
 
 std::string in_quotes(std::string_view piece) {
-  constexpr std::size_t kLongest = 40;
+  constexpr std::size_t longest = 40;
   std::string text = "'";
-  for (const char c : piece.substr(0, kLongest)) {
+  for (const char c : piece.substr(0, longest)) {
     text += c >= ' ' && c < '\x7f' ? c : '?';
   }
-  if (piece.size() > kLongest) {
+  if (piece.size() > longest) {
     text += "...";
   }
   return text + "'";
@@ -157,6 +157,7 @@ bool parse_real(std::string_view word, double& value) {
     word.remove_prefix(1);
   }
   const char* end = word.data() + word.size();
+  // NOLINTNEXTLINE(bugprone-suspicious-stringview-data-usage): from_chars takes the end too
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (stop == end && error == std::errc()) {
     return true;
@@ -176,6 +177,7 @@ bool parse_integer(std::string_view word, std::int64_t& value) {
     word.remove_prefix(1);
   }
   const char* end = word.data() + word.size();
+  // NOLINTNEXTLINE(bugprone-suspicious-stringview-data-usage): from_chars takes the end too
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (stop == end && error == std::errc::result_out_of_range) {
     value = word[0] == '-' ? std::numeric_limits<std::int64_t>::min()

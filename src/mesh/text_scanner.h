@@ -33,13 +33,15 @@ class TextScanner {
   /// Puts the scanner back before the given rest of the last word that it gave.
   void put_back(std::string_view rest_of_word);
 
-  bool at_end() const { return position_ >= text_.size(); }
+  [[nodiscard]] bool at_end() const { return position_ >= text_.size(); }
   /// The line, from 1, that the scanner stands on: that of the word given last.
-  std::int64_t line() const { return line_; }
-  std::size_t bytes_left() const { return text_.size() - position_; }
+  [[nodiscard]] std::int64_t line() const { return line_; }
+  [[nodiscard]] std::size_t bytes_left() const { return text_.size() - position_; }
 
  private:
-  bool at_line_end() const { return text_[position_] == '\n' || text_[position_] == '\r'; }
+  [[nodiscard]] bool at_line_end() const {
+    return text_[position_] == '\n' || text_[position_] == '\r';
+  }
   bool pass_continuation();
   void skip_blanks_in_line();
   void pass_line_end();

@@ -19,6 +19,7 @@ class Analysis {
   void find_duplicates(std::span<const EdgeSide> sides);
   void count_fans();
   void orient();
+  void orient_from(std::size_t first, std::vector<bool>& seen);
 
   const TriangleMesh& mesh_;
   EdgeGroups edges_;
@@ -168,38 +169,38 @@ void Analysis::count_fans() {
   }
 }
 
+void Analysis::orient_from(std::size_t first, std::vector<bool>& seen) {
+  seen[first] = true;
+  std::vector<std::size_t> stack{first};
+  while (!stack.empty()) {
+    const std::size_t face = stack.back();
+    stack.pop_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t twin = twin_[3 * face + i];
+      if (twin < 0) {
+        continue;
+      }
+      const std::size_t other = face_of(twin);
+      const bool along = side_tail(mesh_, twin) == mesh_.faces[face][i];
+      const bool turned = result_.turned[face] != along;
+      if (seen[other]) {
+        result_.counts.orientable = result_.counts.orientable && result_.turned[other] == turned;
+        continue;
+      }
+      seen[other] = true;
+      result_.turned[other] = turned;
+      stack.push_back(other);
+    }
+  }
+}
+
 void Analysis::orient() {
   const std::size_t faces = mesh_.faces.size();
   result_.turned.assign(faces, false);
   std::vector<bool> seen(faces, false);
-  std::vector<std::size_t> stack;
   for (std::size_t first = 0; first < faces; ++first) {
-    if (seen[first]) {
-      continue;
-    }
-    seen[first] = true;
-    stack.push_back(first);
-    while (!stack.empty()) {
-      const std::size_t face = stack.back();
-      stack.pop_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::int32_t twin = twin_[3 * face + i];
-        if (twin < 0) {
-          continue;
-        }
-        const std::size_t other = face_of(twin);
-        const bool along = side_tail(mesh_, twin) == mesh_.faces[face][i];
-        const bool turned = result_.turned[face] != along;
-        if (seen[other]) {
-          if (result_.turned[other] != turned) {
-            result_.counts.orientable = false;
-          }
-          continue;
-        }
-        seen[other] = true;
-        result_.turned[other] = turned;
-        stack.push_back(other);
-      }
+    if (!seen[first]) {
+      orient_from(first, seen);
     }
   }
 }

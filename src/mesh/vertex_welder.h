@@ -18,7 +18,7 @@ class VertexWelder {
   std::vector<Position>& positions() { return positions_; }
 
  private:
-  std::size_t slot(const Position& position) const;
+  [[nodiscard]] std::size_t slot(const Position& position) const;
   void grow();
 
   std::vector<Position> positions_;

@@ -121,7 +121,7 @@ Position unit_normal(const Position& a, const Position& b, const Position& c) {
 }
 
 void write_stl(OutputFile& out, const TriangleMesh& mesh) {
-  constexpr std::size_t kHeaderSize = 80;
+  constexpr std::size_t header_size = 80;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     for (const double c : mesh.positions[v]) {
       if (std::abs(c) > static_cast<double>(std::numeric_limits<float>::max())) {
@@ -130,7 +130,7 @@ void write_stl(OutputFile& out, const TriangleMesh& mesh) {
     }
   }
   std::string record = "ucvt, binary STL";  // must not begin with "solid"
-  record.resize(kHeaderSize, ' ');
+  record.resize(header_size, ' ');
   append_bytes(record, static_cast<std::uint32_t>(mesh.faces.size()));
   out.write(record);
   for (const Corners& face : mesh.faces) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -80,6 +81,7 @@ std::vector<SurfacePoint> initial_sites(const Uniformized& t, const RemeshOption
                     c.vertex_count()));
   }
   std::vector<double> length;
+  length.reserve(t.intrinsic.log_length.size());
   for (const double l : t.intrinsic.log_length) {
     length.push_back(std::exp(l));
   }
@@ -133,7 +135,7 @@ class Remesher {
     const bool redraw = options.init == InitialSites::Random && options.initial_sites.empty();
     for (int tries = redraw ? max_draws : 1;; --tries) {
       try {
-        sites_.emplace(integrator_, initial_sites(t_, options));
+        sites_ = std::make_unique<Tessellation>(integrator_, initial_sites(t_, options));
         return;
       } catch (const NumericalError&) {
         if (tries <= 1) {
@@ -174,7 +176,7 @@ class Remesher {
         }
         more.push_back(midpoint(*sites_, t_.surface, h));
       }
-      sites_.emplace(integrator_, more);
+      sites_ = std::make_unique<Tessellation>(integrator_, more);
     } while (for_good);
     return any;
   }
@@ -216,7 +218,7 @@ class Remesher {
   const Uniformized& t_;
   std::vector<double> factor_;
   CellIntegrator integrator_;
-  std::optional<Tessellation> sites_;
+  std::unique_ptr<Tessellation> sites_;
   std::vector<char> fixed_;
   CvtReport cvt_;
 };

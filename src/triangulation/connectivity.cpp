@@ -100,7 +100,8 @@ void Connectivity::unflip(Halfedge h) {
 Vertex Connectivity::split_face(Face f, Vertex reuse) {
   const auto [a, b, c] = halfedges(f);
   const Vertex u = origin(a), v = origin(b), w = origin(c);
-  const Halfedge tb = twin(b), tc = twin(c);
+  const Halfedge tb = twin(b);
+  const Halfedge tc = twin(c);
   const Vertex n = reuse.id >= 0 ? reuse : Vertex{narrow(out_.size())};
   if (n.index() == out_.size()) {
     out_.emplace_back();
@@ -112,8 +113,11 @@ Vertex Connectivity::split_face(Face f, Vertex reuse) {
   out_[u.index()] = a, out_[v.index()] = b, out_[w.index()] = c0;
   // A side of f may be glued to another side of f.
   const auto moved = [&](Halfedge x) { return x == b ? b0 : x == c ? c0 : x; };
-  glue(b0, moved(tb)), glue(c0, moved(tc));
-  glue(b, b2), glue(b1, c2), glue(c1, c);
+  glue(b0, moved(tb));
+  glue(c0, moved(tc));
+  glue(b, b2);
+  glue(b1, c2);
+  glue(c1, c);
   return n;
 }
 
@@ -129,8 +133,11 @@ Vertex Connectivity::split_edge(Halfedge h) {
   set_origin(hn, n), set_origin(t, n);
   out_[m.index()] = tp, out_[j.index()] = a1, out_[k.index()] = h.prev();
   const auto moved = [&](Halfedge x) { return x == hn ? a1 : x == tp ? b2 : x; };
-  glue(a1, moved(jk)), glue(b2, moved(mj));
-  glue(a0, b0), glue(a2, hn), glue(b1, tp);
+  glue(a1, moved(jk));
+  glue(b2, moved(mj));
+  glue(a0, b0);
+  glue(a2, hn);
+  glue(b1, tp);
   return n;
 }
 

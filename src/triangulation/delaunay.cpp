@@ -23,6 +23,9 @@ constexpr double edge_tolerance = 1e-14;
 /// Moves that cannot be made are halved down to this part of an edge before they are given up.
 constexpr double least_move = 1e-3;
 
+/// Tries to remove a vertex that is to go, each from another place in its star.
+constexpr int max_nudges = 8;
+
 /// With no more vertices than this on a sphere, those that are left when one is away may lie in one
 /// hemisphere, which geodesic triangles cannot cover.
 constexpr std::size_t least_on_sphere = 12;
@@ -215,9 +218,23 @@ bool DelaunayTriangulation::try_remove(Vertex v) {
 }
 
 void DelaunayTriangulation::remove(Vertex v) {
-  if (!try_remove(v)) {
-    throw NumericalError("a vertex of the triangulation could not be removed");
+  // On the crossing of straight lines through its neighbours (regular grids) no quadrilateral at v is
+  // strictly convex; off them one is. Where v lies no longer matters.
+  for (int nudge = 0; nudge < max_nudges; ++nudge) {
+    if (try_remove(v)) {
+      return;
+    }
+    bool moved = false;
+    connectivity_.for_outgoing(v, [&](Halfedge h) {
+      const Offset a = offset(h), b = offset(connectivity_.rotate(h));
+      moved = moved ||
+              move_in_star(v, from_central(space_, (2 * a.x + b.x) / 12, (2 * a.y + b.y) / 12));
+    });
+    if (!moved) {
+      break;
+    }
   }
+  throw NumericalError("a vertex of the triangulation could not be removed");
 }
 
 bool DelaunayTriangulation::move_in_star(Vertex v, const Offset& to) {

@@ -247,9 +247,9 @@ TEST(MetricSolver, ConvergesQuadraticallyNearTheSolution) {
        {oracle::voxel_frame(2), oracle::bumpy(oracle::grid_torus(9, 7), 0.1, 3)}) {
     const Uniformized solved = uniformize_surface(oracle::closed(mesh), {});
     Trial trial{solved.intrinsic, solved.log_scale};
-    std::vector<VertexRole> role(trial.u.size(), VertexRole::solved);
+    std::vector<VertexRole> role(trial.u.size(), VertexRole::Solved);
     if (solved.surface.space().kappa == 0) {
-      role[0] = VertexRole::held;
+      role[0] = VertexRole::Held;
     }
     for (std::size_t v = 1; v < trial.u.size(); ++v) {
       trial.u[v] += 0.01 * std::sin(3.0 * static_cast<double>(v));
@@ -278,7 +278,7 @@ TEST(MetricSolver, AngleSumsAreThoseOfTheSurface) {
   const Uniformized& u = oracle::double_torus();
   Trial trial{u.intrinsic, u.log_scale};
   MetricSolver solver({-1}, trial.t, trial.u,
-                      std::vector<VertexRole>(trial.u.size(), VertexRole::solved));
+                      std::vector<VertexRole>(trial.u.size(), VertexRole::Solved));
   const auto& sums = solver.angle_sums();
   for (std::size_t v = 0; v < trial.u.size(); ++v) {
     EXPECT_NEAR(sums[v], 2 * std::numbers::pi, 1e-10);

@@ -54,11 +54,11 @@ void expect_valid(const std::vector<Position>& p, const std::vector<Corners>& tr
   }
 }
 
-const std::vector<Position> kConcave = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0},
-                                        {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
+const std::vector<Position> concave = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0},
+                                       {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
 
 TEST(PolygonCutter, CutsConcavePolygons) {
-  expect_valid(kConcave, cut(kConcave));
+  expect_valid(concave, cut(concave));
   const std::vector<Position> dart = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}};
   expect_valid(dart, cut(dart));
   for (int shift = 0; shift < 4; ++shift) {
@@ -92,19 +92,19 @@ TEST(PolygonCutter, CutsRandomStars) {
 
 TEST(PolygonCutter, DoesNotDependOnScaleOrPlace) {
   for (const double scale : {0x1p-1000, 0x1p-40, 0x1p40, 0x1p1000}) {
-    std::vector<Position> p = kConcave;
+    std::vector<Position> p = concave;
     for (Position& point : p) {
       for (double& c : point) {
         c *= scale;
       }
     }
-    EXPECT_EQ(cut(p), cut(kConcave)) << scale;
+    EXPECT_EQ(cut(p), cut(concave)) << scale;
   }
   std::vector<Position> upright;
-  for (const Position& point : kConcave) {
+  for (const Position& point : concave) {
     upright.push_back({point[2], point[0], point[1]});
   }
-  EXPECT_EQ(cut(upright).size(), kConcave.size() - 2);
+  EXPECT_EQ(cut(upright).size(), concave.size() - 2);
 }
 
 TEST(PolygonCutter, NothingIsAnEar) {

@@ -5,7 +5,7 @@
 namespace ucvt::test {
 namespace {
 
-const std::string kBody = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string body = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 
 void expect_tetrahedron(const TriangleMesh& mesh) {
   EXPECT_EQ(mesh.positions, tetrahedron().positions);
@@ -20,16 +20,16 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(ReadOff, TakesEveryDress) {
-  const std::string plain = "OFF\n4 4 6\n" + kBody;
+  const std::string plain = "OFF\n4 4 6\n" + body;
   expect_tetrahedron(read_bytes("a.off", plain));
   expect_tetrahedron(read_bytes("no_extension", plain));
   expect_tetrahedron(read_bytes("wrong.obj", plain));
-  expect_tetrahedron(read_bytes("a.off", "4 4 6\n" + kBody));
-  expect_tetrahedron(read_bytes("a.off", "OFF 4 4 6\n" + kBody));
-  expect_tetrahedron(read_bytes("a.off", "\t OFF4 4 6 # or nah\n" + kBody));
-  expect_tetrahedron(read_bytes("a.off", "OFF\n4 4\n" + kBody));
+  expect_tetrahedron(read_bytes("a.off", "4 4 6\n" + body));
+  expect_tetrahedron(read_bytes("a.off", "OFF 4 4 6\n" + body));
+  expect_tetrahedron(read_bytes("a.off", "\t OFF4 4 6 # or nah\n" + body));
+  expect_tetrahedron(read_bytes("a.off", "OFF\n4 4\n" + body));
   expect_tetrahedron(read_bytes("a.off", "\xef\xbb\xbf" + plain));
-  expect_tetrahedron(read_bytes("a.off", "# c\n\nOFF # c\n#\n4 4 6\n\n# d\n" + kBody));
+  expect_tetrahedron(read_bytes("a.off", "# c\n\nOFF # c\n#\n4 4 6\n\n# d\n" + body));
   expect_tetrahedron(read_bytes("a.off", replaced(plain, "\n", "\r\n")));
   expect_tetrahedron(read_bytes("a.off", replaced(plain, "\n", "\r")));
   expect_tetrahedron(read_bytes("a.off", replaced(plain, "\n", " ")));
@@ -101,7 +101,7 @@ TEST(ReadOff, NamesTheFaultAndTheLine) {
   EXPECT_HAS(read_refusal("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n"), "4000000000 vertices");
   EXPECT_HAS(read_refusal("a.off", "OFF\n9223372036854775807 99999999999999999999 0\n0 0 0\n"),
              "only 7 bytes");
-  EXPECT_HAS(read_refusal("a.off", "OFF\n4 4 6\n" + kBody.substr(0, 40)), "ends in face 2 of 4");
+  EXPECT_HAS(read_refusal("a.off", "OFF\n4 4 6\n" + body.substr(0, 40)), "ends in face 2 of 4");
   EXPECT_HAS(read_refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"),
              "vertex 1 has coordinate y = nan (line 4)");
   EXPECT_HAS(read_refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 1e400 0\n0 1 0\n3 0 1 2\n"), "y = inf");

@@ -6,11 +6,11 @@
 namespace ucvt::test {
 namespace {
 
-const std::string kVertexElement =
+const std::string vertex_element =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-const std::string kFaceElement = "element face 4\nproperty list uchar int vertex_indices\n";
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string kFaces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string face_element = "element face 4\nproperty list uchar int vertex_indices\n";
+const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 
 void expect_tetrahedron(const TriangleMesh& mesh) {
   EXPECT_EQ(mesh.positions, tetrahedron().positions);
@@ -62,11 +62,11 @@ std::string binary(bool big) {
 }
 
 TEST(ReadPly, TakesAscii) {
-  expect_tetrahedron(read_bytes("a.ply", ascii(kVertexElement + kFaceElement, kVertices + kFaces)));
-  expect_tetrahedron(read_bytes("a", ascii(kFaceElement + kVertexElement, kFaces + kVertices)));
+  expect_tetrahedron(read_bytes("a.ply", ascii(vertex_element + face_element, vertices + faces)));
+  expect_tetrahedron(read_bytes("a", ascii(face_element + vertex_element, faces + vertices)));
   expect_tetrahedron(read_bytes(
-      "a.ply", ascii(kVertexElement + "property uchar red\nelement edge 1\nproperty int a\n" +
-                         kFaceElement + "property float quality\n",
+      "a.ply", ascii(vertex_element + "property uchar red\nelement edge 1\nproperty int a\n" +
+                         face_element + "property float quality\n",
                      "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n77\n3 0 2 1 .5\n3 0 1 3 .5\n3 1 2 3 "
                      ".5\n3 0 3 2 .5\n")));
 }
@@ -78,14 +78,14 @@ TEST(ReadPly, TakesBothByteOrdersAnyTypesAndExtraProperties) {
 
 TEST(ReadPly, TakesTriangleStrips) {
   const auto mesh = read_bytes(
-      "a.ply", ascii(kVertexElement + "element tristrips 1\nproperty list int int vertex_indices\n",
-                     kVertices + "8 0 1 2 3 -1 1 0 3\n"));
+      "a.ply", ascii(vertex_element + "element tristrips 1\nproperty list int int vertex_indices\n",
+                     vertices + "8 0 1 2 3 -1 1 0 3\n"));
   EXPECT_EQ(mesh.faces, (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}, {1, 0, 3}}));
 }
 
 TEST(ReadPly, EveryTruncationIsRefused) {
   for (const std::string& whole :
-       {binary(true), ascii(kVertexElement + kFaceElement, kVertices + kFaces)}) {
+       {binary(true), ascii(vertex_element + face_element, vertices + faces)}) {
     for (std::size_t size = 4; size + 4 < whole.size(); ++size) {
       EXPECT_THROW(read_bytes("a.ply", whole.substr(0, size)), InvalidInput) << size;
     }
@@ -94,15 +94,15 @@ TEST(ReadPly, EveryTruncationIsRefused) {
 
 TEST(ReadPly, NamesTheFaultAndThePlace) {
   EXPECT_HAS(read_refusal("a.ply", ascii("", "")), "no vertex element");
-  EXPECT_HAS(read_refusal("a.ply", ascii(kVertexElement, kVertices)), "no faces");
+  EXPECT_HAS(read_refusal("a.ply", ascii(vertex_element, vertices)), "no faces");
   EXPECT_HAS(
-      read_refusal("a.ply", ascii(kVertexElement + kFaceElement, kVertices + "3 0 2 4\n" + kFaces)),
+      read_refusal("a.ply", ascii(vertex_element + face_element, vertices + "3 0 2 4\n" + faces)),
       "face 0 has vertex index 4, but there are 4 vertices (line 15)");
-  EXPECT_HAS(read_refusal("a.ply", ascii(kVertexElement + kFaceElement,
-                                         "0 0 0\n1 nan 0\n0 1 0\n0 0 1\n" + kFaces)),
+  EXPECT_HAS(read_refusal("a.ply", ascii(vertex_element + face_element,
+                                         "0 0 0\n1 nan 0\n0 1 0\n0 0 1\n" + faces)),
              "vertex 1 has coordinate y = nan (line 12)");
   EXPECT_HAS(
-      read_refusal("a.ply", ascii(kVertexElement + kFaceElement, kVertices + "2 0 2\n" + kFaces)),
+      read_refusal("a.ply", ascii(vertex_element + face_element, vertices + "2 0 2\n" + faces)),
       "face 0 has 2 corners (line 15)");
   EXPECT_HAS(read_refusal("a.ply", ascii("element vertex 4000000000\nproperty float x\n", "")),
              "declares 4000000000");

@@ -68,7 +68,7 @@ TEST_F(SharedMeshes, EveryDressOfTheTorusIsTaken) {
 }
 
 TEST_F(SharedMeshes, OddButValidOnesAreTaken) {
-  const std::pair<const char*, int> kGenera[] = {
+  const std::pair<const char*, int> genera[] = {
       {"found_comments.off", 0},
       {"found_whitespace.off", 0},
       {"found_cube_compressed.obj", 0},
@@ -107,13 +107,13 @@ TEST_F(SharedMeshes, OddButValidOnesAreTaken) {
       {"frame_g4.off", 4},
       {"frame_quads.obj", 2},
   };
-  for (const auto& [name, genus] : kGenera) {
+  for (const auto& [name, genus] : genera) {
     SCOPED_TRACE(name);
     EXPECT_EQ(closed_surface(read_mesh(path(std::string("bad/") + name))).genus, genus);
   }
 }
 
-constexpr std::pair<const char*, const char*> kFaults[] = {
+constexpr std::pair<const char*, const char*> faults[] = {
     {"empty.off", "empty"},
     {"zero_counts.off", "no faces"},
     {"garbage.obj", "known format"},
@@ -164,7 +164,7 @@ constexpr std::pair<const char*, const char*> kFaults[] = {
 };
 
 TEST_F(SharedMeshes, EveryFaultIsNamed) {
-  for (const auto& [name, word] : kFaults) {
+  for (const auto& [name, word] : faults) {
     SCOPED_TRACE(name);
     const std::string file = path(std::string("bad/") + name);
     const std::string message = refusal([&] { closed_surface(read_mesh(file)); });
