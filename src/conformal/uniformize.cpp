@@ -10,6 +10,7 @@
 
 #include "conformal/metric_solver.h"
 #include "conformal/punctured_sphere.h"
+#include "mesh/spatial_order.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -144,7 +145,8 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
     return !cancelled;
   };
   // `flat` is the surface before any Ptolemy flip: the place to refine it.
-  IntrinsicTriangulation flat = intrinsic_triangulation(surface.mesh), t;
+  TriangleMesh input = with_faces_in_spatial_order(surface.mesh);
+  IntrinsicTriangulation flat = intrinsic_triangulation(input), t;
   make_euclidean_delaunay(flat);
   const bool refining = options.longest_edge > 0;
   std::vector<double> size(flat.connectivity.vertex_count(), options.longest_edge), vertex_area;
@@ -182,7 +184,7 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
   report.log_scale_min = *low, report.log_scale_max = *high;
   certify(uniform, area, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {surface.mesh,           std::move(t),       std::move(solution.u),
+  return {std::move(input),       std::move(t),       std::move(solution.u),
           std::move(vertex_area), std::move(uniform), report};
 }
 

@@ -11,7 +11,7 @@ namespace ucvt {
 
 /// T and everything that ties it to the input.
 struct Uniformized {
-  TriangleMesh input;
+  TriangleMesh input;                  ///< its faces in the order of T's before any change
   IntrinsicTriangulation intrinsic;    ///< T's triangulation, Penner coordinates, and the log
   std::vector<double> log_scale;       ///< u at every vertex of T
   std::vector<double> vertex_area_3d;  ///< a third of the input area round every vertex

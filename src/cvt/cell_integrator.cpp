@@ -54,43 +54,61 @@ std::uint64_t CellIntegrator::outside(const Offset& p,
   return mask;
 }
 
-void CellIntegrator::add(Workspace& work, const Place& place,
-                         std::array<std::uint64_t, 3> outside) const {
-  const std::size_t f = place.face.index();
+CellIntegrator::Workspace::Developed& CellIntegrator::add(Workspace& work, Face face) const {
+  const std::size_t f = face.index();
   const std::int32_t older = work.stamp_[f] == work.cell_ ? work.newest_[f] : -1;
   work.stamp_[f] = work.cell_;
   work.newest_[f] = static_cast<std::int32_t>(work.developed_.size());
-  work.developed_.push_back({place, outside, older});
+  t_.prefetch(face);
+  __builtin_prefetch(&weights_[f]);
+  auto& d = work.developed_.emplace_back();
+  d.place.face = face;
+  d.older = older;
+  return d;
+}
+
+bool CellIntegrator::is_developed(const Workspace& work, Halfedge h, const Offset& u,
+                                  const Offset& v) const {
+  const std::size_t g = h.face().index(), j = static_cast<std::size_t>(h.id % 3);
+  if (work.stamp_[g] != work.cell_) {
+    return false;
+  }
+  // The sphere is its own cover. Elsewhere another lift of the face is far away, beyond rounding.
+  if (t_.space().kappa > 0) {
+    return true;
+  }
+  const double near = 1e-6 * t_.chord(h) * t_.chord(h);
+  for (std::int32_t i = work.newest_[g]; i >= 0;
+       i = work.developed_[static_cast<std::size_t>(i)].older) {
+    const auto& corner = work.developed_[static_cast<std::size_t>(i)].place.corner;
+    if (chord2(t_.space(), corner[j], u) < near &&
+        chord2(t_.space(), corner[(j + 1) % 3], v) < near) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void CellIntegrator::cross_into(Workspace& work, std::size_t from, std::size_t side,
                                 const std::vector<Offset>& neighbours) const {
   const auto& d = work.developed_[from];
+  const std::size_t next = side == 2 ? 0 : side + 1;
   const Halfedge h = halfedges(d.place.face)[side], twin = t_.connectivity().twin(h);
-  const Offset u = d.place.corner[side], v = d.place.corner[(side + 1) % 3];
-  const std::size_t g = twin.face().index(), j = static_cast<std::size_t>(twin.id % 3);
-  if (work.stamp_[g] == work.cell_) {
-    // Another lift of the same face is some other place, far beyond rounding.
-    const double near = 1e-6 * t_.chord(h) * t_.chord(h);
-    for (std::int32_t i = work.newest_[g]; i >= 0;
-         i = work.developed_[static_cast<std::size_t>(i)].older) {
-      const auto& corner = work.developed_[static_cast<std::size_t>(i)].place.corner;
-      if (chord2(t_.space(), corner[j], v) < near &&
-          chord2(t_.space(), corner[(j + 1) % 3], u) < near) {
-        return;
-      }
-    }
-  }
-  Place place{twin.face(), {}};
-  std::array<std::uint64_t, 3> mask{};
-  place.corner[j] = v, mask[j] = d.outside[(side + 1) % 3];
-  place.corner[(j + 1) % 3] = u, mask[(j + 1) % 3] = d.outside[side];
-  const std::size_t w = (j + 2) % 3;
-  place.corner[w] = t_.develop(h, u, v), mask[w] = outside(place.corner[w], neighbours);
-  if ((mask[0] & mask[1] & mask[2] & single_mask) != 0) {
+  const Offset u = d.place.corner[side], v = d.place.corner[next];
+  const std::uint64_t u_outside = d.outside[side], v_outside = d.outside[next];
+  if (is_developed(work, twin, v, u)) {
     return;
   }
-  add(work, place, mask);
+  const Offset w = t_.develop(h, u, v);
+  const std::uint64_t w_outside = outside(w, neighbours);
+  if ((u_outside & v_outside & w_outside & single_mask) != 0) {
+    return;
+  }
+  auto& out = add(work, twin.face());
+  const auto j = static_cast<std::size_t>(twin.id % 3);
+  out.place.corner[j] = v, out.outside[j] = v_outside;
+  out.place.corner[(j + 1) % 3] = u, out.outside[(j + 1) % 3] = u_outside;
+  out.place.corner[(j + 2) % 3] = w, out.outside[(j + 2) % 3] = w_outside;
 }
 
 void CellIntegrator::clip(Workspace& work, const Workspace::Developed& d,
@@ -130,11 +148,11 @@ Moments CellIntegrator::integrate(const Place& place, const std::vector<Offset>&
                                   Workspace& work) const {
   ++work.cell_;
   work.developed_.clear();
-  std::array<std::uint64_t, 3> start{};
+  auto& first = add(work, place.face);
   for (std::size_t i = 0; i < 3; ++i) {
-    start[i] = outside(place.corner[i], neighbours);
+    first.place.corner[i] = place.corner[i];
+    first.outside[i] = outside(place.corner[i], neighbours);
   }
-  add(work, place, start);
   Moments sum;
   for (std::size_t n = 0; n < work.developed_.size(); ++n) {
     const auto& d = work.developed_[n];

@@ -52,7 +52,10 @@ class CellIntegrator {
                     Workspace& work) const;
 
  private:
-  void add(Workspace& work, const Place& place, std::array<std::uint64_t, 3> outside) const;
+  Workspace::Developed& add(Workspace& work, Face face) const;
+  /// True when the face of h was developed with h's ends at u and v.
+  [[nodiscard]] bool is_developed(const Workspace& work, Halfedge h, const Offset& u,
+                                  const Offset& v) const;
   void cross_into(Workspace& work, std::size_t from, std::size_t side,
                   const std::vector<Offset>& neighbours) const;
   [[nodiscard]] std::uint64_t outside(const Offset& p, const std::vector<Offset>& neighbours) const;

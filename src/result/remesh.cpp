@@ -128,6 +128,12 @@ class Remesher {
   }
 
  private:
+  /// True unless some face of D would have to be more than a hemisphere.
+  [[nodiscard]] bool covers_surface() const {
+    const double wanted = surface_.report().area;
+    return std::abs(sites_->delaunay().area() - wanted) < 1e-6 * wanted;
+  }
+
   /// Few random sites on a sphere may all lie in one hemisphere, where no Delaunay triangulation by
   /// geodesic triangles exists; the next random numbers do better.
   void place_initial_sites() {
@@ -136,7 +142,10 @@ class Remesher {
     for (int tries = redraw ? max_draws : 1;; --tries) {
       try {
         sites_ = std::make_unique<Tessellation>(integrator_, initial_sites(t_, options));
-        return;
+        if (covers_surface()) {
+          return;
+        }
+        throw NumericalError("the initial sites lie in one hemisphere");
       } catch (const NumericalError&) {
         if (tries <= 1) {
           throw;

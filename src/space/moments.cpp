@@ -13,19 +13,16 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
   return l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
 }
 
-/// Degree of the rule that resolves a piece of the given squared size (its longest side in the
+/// Below this squared size the power series of `add_small` end at rounding and seven nodes suffice.
+constexpr double small_size2 = 1e-6;
+
+/// Degree of the rule that resolves a bigger piece of the given squared size (its longest side in the
 /// space, roughly); 0 when the piece must be cut first.
 ///
 /// The integrands are cubics times a power series in f = kappa chord_form <= size2/3, so a rule of
 /// degree d leaves f^((d - 1)/2) times its quadrature error; the h moment, in which mu h and the
 /// excess cancel, sets the bounds.
 int degree_for(double size2) {
-  if (size2 < 1e-6) {
-    return 5;
-  }
-  if (size2 < 1e-5) {
-    return 6;
-  }
   if (size2 < 1e-3) {
     return 8;
   }
@@ -80,8 +77,35 @@ struct Piece {
     }
     return out;
   }
+  /// The same for small pieces, where w = (1 - f)^(-1/2) is its power series: no root, no division.
+  [[nodiscard]] Weights small(Barycentric a, Barycentric b, Barycentric c) const {
+    const double jacobian =
+        triangle.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
+    Weights out;
+    for (const auto& q : triangle_rule(5)) {
+      const double l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
+      const double l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
+      const double l0 = 1 - l1 - l2;
+      const double form = chord_form(triangle, l0, l1, l2), f = space.kappa * form;
+      const double dm = q.weight * jacobian * (l0 * rho[0] + l1 * rho[1] + l2 * rho[2]);
+      const double w3 = 1 + f * (3.0 / 2 + f * (15.0 / 8 + f * (35.0 / 16)));
+      const double w4 = 1 + f * (2 + f * (3 + f * 4));
+      // w^4 / (1 + 1/w), of the excess.
+      const double e = 0.5 + f * (9.0 / 8 + f * (29.0 / 16 + f * (325.0 / 128)));
+      out.mass += dm * w3;
+      out.mu[0] += dm * w4 * l0;
+      out.mu[1] += dm * w4 * l1;
+      out.mu[2] += dm * w4 * l2;
+      out.excess -= dm * e * form;
+    }
+    return out;
+  }
   [[nodiscard]] Weights integrate(Barycentric a, Barycentric b, Barycentric c, int depth) const {
-    const int degree = degree_for(size2(a, b, c));
+    const double piece2 = size2(a, b, c);
+    if (piece2 < small_size2) {
+      return small(a, b, c);
+    }
+    const int degree = degree_for(piece2);
     if (degree != 0 || depth == max_depth) {
       return one_rule(degree ? degree : 28, a, b, c);
     }
