@@ -63,18 +63,24 @@ void add_threads(CLI::App& app, int& threads) {
       ->type_name("T");
 }
 
-void add_lloyd(CLI::App& app, RemeshOptions& options, CLI::Option*& iterations) {
-  iterations = add_number(
+struct RemeshFlags {
+  CLI::Option* sites = nullptr;
+  CLI::Option* iterations = nullptr;
+  CLI::Option* tolerance = nullptr;
+};
+
+void add_lloyd(CLI::App& app, RemeshOptions& options, RemeshFlags& flags) {
+  flags.iterations = add_number(
       app, "--iterations", options.iterations, [](int k) { return k >= 0; },
       "a whole number from 0 up",
       fmt::format("stop after K iterations (default {})", options.iterations));
-  iterations->type_name("K");
-  add_number(
+  flags.iterations->type_name("K");
+  flags.tolerance = add_number(
       app, "--tolerance", options.tolerance, [](double e) { return e > 0 && std::isfinite(e); },
       "a number above 0",
       fmt::format("stop when no site moves by more than EPS of its spacing (default {})",
-                  options.tolerance))
-      ->type_name("EPS");
+                  options.tolerance));
+  flags.tolerance->type_name("EPS");
   const auto method = [](const std::string& name) {
     if (name != "lloyd") {
       throw CLI::ValidationError("--method", fmt::format("'{}' is no method; give lloyd", name));
@@ -104,11 +110,6 @@ void add_start(CLI::App& app, RemeshArguments& arguments) {
       ->type_name("S");
 }
 
-struct RemeshFlags {
-  CLI::Option* sites = nullptr;
-  CLI::Option* iterations = nullptr;
-};
-
 RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
   RemeshFlags flags;
   add_shared(app, arguments.shared);
@@ -124,7 +125,7 @@ RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
   app.add_option("--sites", arguments.sites, "write the sites on that surface")
       ->type_name("FILE.json");
   add_start(app, arguments);
-  add_lloyd(app, arguments.options, flags.iterations);
+  add_lloyd(app, arguments.options, flags);
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
   add_threads(app, arguments.options.threads);
@@ -283,7 +284,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   check_not_empty(*app.get_subcommands().front());
   if (remesh_app->parsed()) {
     remesh.sites_given = flags.sites->count() > 0;
-    remesh.iterations_given = flags.iterations->count() > 0;
+    remesh.convergence_asked = flags.tolerance->count() > 0 && flags.iterations->count() == 0;
     check(remesh);
     return remesh;
   }

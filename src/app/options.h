@@ -28,7 +28,7 @@ struct RemeshArguments {
   std::string init_file;  ///< empty: options.init holds
   RemeshOptions options;
   bool sites_given = false;
-  bool iterations_given = false;
+  bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
 };
 
 struct UniformizeArguments {

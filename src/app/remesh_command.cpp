@@ -117,10 +117,8 @@ ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result) {
                           arguments.options.tolerance);
     say(fmt::format("did not converge in {} iteration{}{}; {}", result.cvt.iterations,
                     result.cvt.iterations == 1 ? "" : "s", move,
-                    arguments.iterations_given
-                        ? "the sites are written as they are"
-                        : "the sites are written as they are, --iterations allows more"),
-        !arguments.iterations_given);
+                    "the sites are written as they are, --iterations allows more"),
+        arguments.convergence_asked);
   }
   return status;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <queue>
 
 #include "space/moments.h"
@@ -193,7 +194,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     }
     const Halfedge twin = t.connectivity.twin(h);
     const Laid k = lay_out(t, h), m = lay_out(t, twin);
-    const double half = l - std::log(2.0);
+    const double half = l - std::numbers::ln2;
     const double to_k = std::log(std::hypot(k.x - k.base / 2, k.y));
     const double to_m = std::log(std::hypot(m.x - m.base / 2, m.y));
     const double jk = t.log_length[h.next().index()], mj = t.log_length[twin.prev().index()];
@@ -209,7 +210,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     set_length(t, h.next(), to_k), set_length(t, twin.prev(), to_m);
     t.log_length[a[1].index()] = jk, t.log_length[b[2].index()] = mj;
     const std::size_t flips_before = t.log.size();
-    std::vector<Halfedge> rim{h.prev(), a[1], twin.next(), b[2]};
+    const std::vector<Halfedge> rim{h.prev(), a[1], twin.next(), b[2]};
     flip_to_delaunay(t, rim);
     // Edges that moved to another number, by the split or by a flip, lost their entries.
     for (std::size_t c = flips_before; c < t.log.size(); ++c) {

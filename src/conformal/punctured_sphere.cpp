@@ -240,9 +240,9 @@ std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vec
     const double r = std::hypot(x, y);
     // log(2 / (scale (1 + r^2))), also where r^2 would overflow.
     const double log_1_r2 = r < 1e8 ? std::log1p(r * r) : 2 * std::log(r);
-    u[v] += std::log(2.0) - std::log(frame.scale) - log_1_r2;
+    u[v] += std::numbers::ln2 - std::log(frame.scale) - log_1_r2;
   }
-  u[puncture.index()] = std::log(2.0) + std::log(frame.scale) - pin;
+  u[puncture.index()] = std::numbers::ln2 + std::log(frame.scale) - pin;
   return apart_on_sphere(p, puncture, frame);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,7 @@
 namespace ucvt {
 namespace {
 
-enum class Format { Unknown, Off, Obj, Ply, StlText, StlBinary };
+enum class Format : std::uint8_t { Unknown, Off, Obj, Ply, StlText, StlBinary };
 
 struct Stranger {
   std::string_view begin, message;
