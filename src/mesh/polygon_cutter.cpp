@@ -8,7 +8,7 @@
 namespace ucvt {
 namespace {
 
-constexpr std::uint64_t Empty = ~std::uint64_t{0};
+constexpr std::uint64_t empty_slot = ~std::uint64_t{0};
 // Twice an area in the unit box that rounding of the projection can make from collinear points.
 constexpr double flat = 1e-14;
 // A used diagonal ranks below every unused one; qualities lie in [-1, 1].
@@ -65,24 +65,24 @@ std::size_t find_repeated(std::span<const std::int32_t> corners) {
 }  // namespace
 
 EdgeSet::EdgeSet(std::size_t expected)
-    : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), Empty) {}
+    : slots_(std::bit_ceil(std::max<std::size_t>(64, expected)), empty_slot) {}
 
 std::size_t EdgeSet::slot(std::uint64_t key) const {
   const std::size_t mask = slots_.size() - 1;
   std::uint64_t hash = key * 0x9E3779B97F4A7C15U;
   hash ^= hash >> 32;
   std::size_t i = static_cast<std::size_t>(hash) & mask;
-  while (slots_[i] != Empty && slots_[i] != key) {
+  while (slots_[i] != empty_slot && slots_[i] != key) {
     i = (i + 1) & mask;
   }
   return i;
 }
 
 void EdgeSet::grow() {
-  std::vector<std::uint64_t> old(slots_.size() * 2, Empty);
+  std::vector<std::uint64_t> old(slots_.size() * 2, empty_slot);
   old.swap(slots_);
   for (const std::uint64_t key : old) {
-    if (key != Empty) {
+    if (key != empty_slot) {
       slots_[slot(key)] = key;
     }
   }
@@ -101,7 +101,7 @@ void EdgeSet::insert(std::int32_t a, std::int32_t b) {
 }
 
 bool EdgeSet::contains(std::int32_t a, std::int32_t b) const {
-  return slots_[slot(edge_key(a, b))] != Empty;
+  return slots_[slot(edge_key(a, b))] != empty_slot;
 }
 
 void PolygonCutter::add_boundary(std::span<const std::int32_t> corners) {

@@ -98,6 +98,20 @@ TriangleMesh StlTextReader::read() {
   return {std::move(welder_.positions()), std::move(faces_)};
 }
 
+/// Corner k of facet i of a binary STL.
+Position facet_corner(std::string_view bytes, std::size_t i, std::size_t k) {
+  const std::size_t at = header_size + facet_size * i + 12 + 12 * k;
+  Position position;
+  for (std::size_t c = 0; c < 3; ++c) {
+    position[c] = static_cast<double>(load_number<float>(bytes, at + 4 * c, std::endian::little));
+    if (!(std::abs(position[c]) < 1e39)) {
+      refuse("facet {} has coordinate {} = {} (byte {}); coordinates must be finite numbers", i,
+             "xyz"[c], position[c], at + 4 * c);
+    }
+  }
+  return position;
+}
+
 }  // namespace
 
 TriangleMesh read_stl_text(std::string_view bytes) {
@@ -128,17 +142,7 @@ TriangleMesh read_stl_binary(std::string_view bytes) {
   for (std::size_t i = 0; i < count; ++i) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t at = header_size + facet_size * i + 12 + 12 * k;
-      Position position;
-      for (std::size_t c = 0; c < 3; ++c) {
-        position[c] =
-            static_cast<double>(load_number<float>(bytes, at + 4 * c, std::endian::little));
-        if (!(std::abs(position[c]) < 1e39)) {
-          refuse("facet {} has coordinate {} = {} (byte {}); coordinates must be finite numbers", i,
-                 "xyz"[c], position[c], at + 4 * c);
-        }
-      }
-      corners[k] = welder.number(position);
+      corners[k] = welder.number(facet_corner(bytes, i, k));
     }
     mesh.faces.push_back(corners);
   }
