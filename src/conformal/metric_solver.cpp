@@ -307,9 +307,9 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
     const std::vector<double> start = u_;
     const double slope0 = std::abs(slope(direction)), norm0 = gradient_norm2();
     const double error0 = out.max_angle_error;
-    double step = 1;
     bool accepted = false;
-    for (int halving = 0; halving < max_halvings && !accepted; ++halving, step /= 2) {
+    for (int halving = 0; halving < max_halvings && !accepted; ++halving) {
+      const double step = std::ldexp(1.0, -halving);
       for (std::size_t v = 0; v < u_.size(); ++v) {
         u_[v] = start[v] + step * direction[v];
       }

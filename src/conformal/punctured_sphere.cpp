@@ -173,7 +173,8 @@ double median_distance(const std::vector<PlanePoint>& p, const std::vector<doubl
   std::sort(by_distance.begin(), by_distance.end());
   double sum = 0;
   for (const auto& [d, w] : by_distance) {
-    if ((sum += w) >= total / 2 && d > 0) {
+    sum += w;
+    if (sum >= total / 2 && d > 0) {
       return d;
     }
   }

@@ -29,7 +29,7 @@ SurfacePoint off_the_edges(SurfacePoint p) {
   return p;
 }
 
-const std::vector<SurfacePoint>& distinct(const std::vector<SurfacePoint>& sites) {
+void check_distinct(const std::vector<SurfacePoint>& sites) {
   std::vector<std::pair<std::int32_t, std::array<double, 3>>> sorted;
   for (const SurfacePoint& p : sites) {
     sorted.emplace_back(p.face.id, p.bary);
@@ -40,11 +40,11 @@ const std::vector<SurfacePoint>& distinct(const std::vector<SurfacePoint>& sites
     throw InvalidInput("two sites lie at one place of face " + std::to_string(twice->first) +
                        "; give sites that differ");
   }
-  return sites;
 }
 
 DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<SurfacePoint>& sites,
                                   std::vector<Place>& places) {
+  check_distinct(sites);
   const Connectivity& c = t.connectivity();
   const std::vector<Offset> frames = t.vertex_frames();
   DelaunayTriangulation d(t.space(), c, frames);
@@ -90,7 +90,7 @@ DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<Sur
 }  // namespace
 
 Tessellation::Tessellation(const CellIntegrator& integrator, const std::vector<SurfacePoint>& sites)
-    : integrator_(integrator), d_(triangulate(integrator.surface(), distinct(sites), places_)) {}
+    : integrator_(integrator), d_(triangulate(integrator.surface(), sites, places_)) {}
 
 std::vector<SurfacePoint> Tessellation::sites() const {
   std::vector<SurfacePoint> out;
