@@ -9,14 +9,14 @@ std::size_t slot(Halfedge h) {
   return static_cast<std::size_t>(h.id % 3);
 }
 
-void place(HomogeneousPoint& p, Halfedge a, double wa, Halfedge b, double wb, Halfedge c,
-           double wc) {
-  p.face = a.face();
-  p.weight[slot(a)] = wa, p.weight[slot(b)] = wb, p.weight[slot(c)] = wc;
+/// Puts the point into the face of the three halfedges, with their origins' weights.
+void place(HomogeneousPoint& p, const std::array<Halfedge, 3>& at,
+           const std::array<double, 3>& weight) {
+  p.face = at[0].face();
   // Ratios count; keep them in range over many thousands of changes.
-  const double sum = wa + wb + wc;
-  for (double& w : p.weight) {
-    w /= sum;
+  const double sum = weight[0] + weight[1] + weight[2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.weight[slot(at[i])] = weight[i] / sum;
   }
 }
 
@@ -34,9 +34,9 @@ void undo_flip(const Change& c, HomogeneousPoint& p) {
   const double traded = rate > 0 ? used / rate : 0;
   wi += traded * c.i, wj += traded * c.j;
   if (use_up_m) {
-    place(p, c.h, wi, hn, wj, hp, std::max(0.0, wk - traded * c.k));
+    place(p, {c.h, hn, hp}, {wi, wj, std::max(0.0, wk - traded * c.k)});
   } else {
-    place(p, c.t, wj, tn, wi, tp, std::max(0.0, wm - traded * c.m));
+    place(p, {c.t, tn, tp}, {wj, wi, std::max(0.0, wm - traded * c.m)});
   }
 }
 
@@ -45,14 +45,14 @@ void undo_split(const Change& c, HomogeneousPoint& p) {
   const auto w = p.weight;
   if (p.face == c.h.face()) {
     const double n = w[slot(hn)] / 2;
-    place(p, c.h, w[slot(c.h)] + n, hn, n, hp, w[slot(hp)]);
+    place(p, {c.h, hn, hp}, {w[slot(c.h)] + n, n, w[slot(hp)]});
   } else if (p.face == c.t.face()) {
     const double n = w[slot(c.t)] / 2;
-    place(p, c.t, n, tn, w[slot(tn)] + n, tp, w[slot(tp)]);
+    place(p, {c.t, tn, tp}, {n, w[slot(tn)] + n, w[slot(tp)]});
   } else if (p.face == c.added) {
-    place(p, c.h, w[0] / 2, hn, w[1] + w[0] / 2, hp, w[2]);
+    place(p, {c.h, hn, hp}, {w[0] / 2, w[1] + w[0] / 2, w[2]});
   } else {
-    place(p, c.t, w[0] + w[1] / 2, tn, w[1] / 2, tp, w[2]);
+    place(p, {c.t, tn, tp}, {w[0] + w[1] / 2, w[1] / 2, w[2]});
   }
 }
 

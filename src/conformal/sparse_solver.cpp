@@ -25,7 +25,7 @@ struct Triplet {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-bool solve_indefinite(const Matrix& a, Eigen::Map<const Vector> right,
+bool solve_indefinite(const Matrix& a, const Eigen::Map<const Vector>& right,
                       Eigen::Map<Vector> solution) {
   const Eigen::SimplicialLDLT<Matrix> factors(a);
   if (factors.info() != Eigen::Success) {
@@ -35,7 +35,7 @@ bool solve_indefinite(const Matrix& a, Eigen::Map<const Vector> right,
   return true;
 }
 
-bool solve_positive_definite(const Matrix& a, Eigen::Map<const Vector> right,
+bool solve_positive_definite(const Matrix& a, const Eigen::Map<const Vector>& right,
                              Eigen::Map<Vector> solution) {
 #ifdef UCVT_HAVE_CHOLMOD
   const Eigen::CholmodSupernodalLLT<Matrix> factors(a);
