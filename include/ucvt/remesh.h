@@ -23,12 +23,13 @@ struct RemeshOptions {
   int sites = 1000;
   std::uint64_t seed = 1;
   InitialSites init = InitialSites::Random;
-  std::vector<Site> initial_sites;  ///< when not empty: start here; their number is `sites`
-  int refine_for = 0;               ///< refine T for this many sites; 0: for `sites`
-  int iterations = 1000;            ///< of Lloyd's method, at most
-  double tolerance = 1e-4;          ///< of the largest move, relative to the site's spacing
-  bool ensure_simplicial = true;    ///< add the few sites that a simplicial dual mesh needs
-  int threads = 0;                  ///< 0: all cores; results do not depend on it
+  std::vector<Site> initial_sites;   ///< when not empty: start here; their number is `sites`
+  int refine_for = 0;                ///< refine T for this many sites; 0: for `sites`
+  std::vector<double> initial_size;  ///< RemeshResult::size to start from; empty: 1 everywhere
+  int iterations = 1000;             ///< of Lloyd's method, at most
+  double tolerance = 1e-4;           ///< of the largest move, relative to the site's spacing
+  bool ensure_simplicial = true;     ///< add the few sites that a simplicial dual mesh needs
+  int threads = 0;                   ///< 0: all cores; results do not depend on it
   Monitor monitor;
 };
 
@@ -79,6 +80,7 @@ struct RemeshResult {
   std::vector<Site> sites;      ///< on T; site i is vertex i of the mesh
   int refined_for = 0;          ///< number of sites that T was refined for
   std::vector<double> density;  ///< at the vertices of T
+  std::vector<double> size;     ///< cell size asked for at T's vertices; 1: as all, 1/2: half that
   CvtReport cvt;
   UniformityReport uniformity;
   Spread cell_area_3d;  ///< cell areas on the input surface, in its units
@@ -89,13 +91,14 @@ struct RemeshResult {
 ///
 /// Running out of iterations is a status (`cvt.converged`), not an error. Throws InvalidInput when
 /// the options do not fit (fewer than four sites on a sphere, fewer than one elsewhere, initial
-/// sites that do not lie on T), Cancelled when the monitor said so, NumericalError as `uniformize`.
+/// sites or sizes that do not fit T), Cancelled when the monitor said so, NumericalError as `uniformize`.
 RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options = {});
 
-/// The sites of a finished run, and the number that its T was refined for.
+/// The sites of a finished run, and what its T and density are made from.
 struct SavedSites {
   std::vector<Site> sites;
   int refine_for = 0;
+  std::vector<double> size;
 };
 
 /// Reads and writes the sites of a tessellation as JSON (docs/formats.md).

@@ -28,6 +28,7 @@ RemeshOptions options_of(const RemeshArguments& arguments) {
   SavedSites saved = about_file(name, [&] { return read_sites(arguments.init_file); });
   options.initial_sites = std::move(saved.sites);
   options.refine_for = saved.refine_for;
+  options.initial_size = std::move(saved.size);
   const std::size_t found = options.initial_sites.size();
   if (arguments.sites_given && found != static_cast<std::size_t>(options.sites)) {
     throw Failure(ExitStatus::Usage,

@@ -148,8 +148,7 @@ LloydResult lloyd(Tessellation& sites, const LloydOptions& options, const Monito
     double energy = 0, max_move = 0;
     for (std::size_t i = 0; i < moments.size(); ++i) {
       energy += 2 * moments[i].h;
-      const bool fixed = i < options.fixed.size() && options.fixed[i] != 0;
-      target[i] = fixed ? Offset{} : centroid(space, moments[i]);
+      target[i] = centroid(space, moments[i]);
       max_move = std::max(
           max_move, std::sqrt(2 * target[i].h) / sites.spacing({static_cast<std::int32_t>(i)}));
     }

@@ -43,7 +43,6 @@ class Tessellation {
 struct LloydOptions {
   int iterations = 1000;    ///< at most
   double tolerance = 1e-4;  ///< of the largest move relative to the site's spacing
-  std::vector<char> fixed;  ///< by site: nonzero keeps it where it is; empty: none
 };
 
 struct LloydResult {

@@ -41,8 +41,7 @@ class PipeSignalBlock {
     }
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
-  PipeSignalBlock(const PipeSignalBlock&) = delete;
-  PipeSignalBlock& operator=(const PipeSignalBlock&) = delete;
+  PipeSignalBlock(PipeSignalBlock&&) = delete;
 
  private:
   sigset_t pipe_ = {}, before_ = {};

@@ -1,6 +1,8 @@
 #include "result/density.h"
 
 #include <algorithm>
+#include <cmath>
+#include <queue>
 
 namespace ucvt {
 
@@ -20,14 +22,41 @@ std::vector<double> conformal_factor(const Uniformized& t) {
   return out;
 }
 
-std::vector<double> uniform_sizing_density(const std::vector<double>& conformal_factor) {
-  const double top = *std::max_element(conformal_factor.begin(), conformal_factor.end());
-  std::vector<double> out;
-  out.reserve(conformal_factor.size());
-  for (const double cf : conformal_factor) {
-    out.push_back((cf / top) * (cf / top));
+std::vector<double> sizing_density(const std::vector<double>& conformal_factor,
+                                   const std::vector<double>& size) {
+  std::vector<double> root(size.size());
+  for (std::size_t v = 0; v < size.size(); ++v) {
+    root[v] = conformal_factor[v] / (size[v] * size[v]);
   }
-  return out;
+  const double top = *std::max_element(root.begin(), root.end());
+  for (double& r : root) {
+    r = (r / top) * (r / top);
+  }
+  return root;
+}
+
+void limit_growth(const Uniformized& t, double growth, std::vector<double>& size) {
+  const Connectivity& c = t.intrinsic.connectivity;
+  using Entry = std::pair<double, std::int32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  for (std::size_t v = 0; v < size.size(); ++v) {
+    front.push({size[v], static_cast<std::int32_t>(v)});
+  }
+  while (!front.empty()) {
+    const auto [at, v] = front.top();
+    front.pop();
+    if (at > size[static_cast<std::size_t>(v)]) {
+      continue;
+    }
+    c.for_outgoing({v}, [&](Halfedge h) {
+      const Vertex w = c.head(h);
+      const double grown = at + growth * std::exp(t.intrinsic.log_length[h.index()]);
+      if (grown < size[w.index()]) {
+        size[w.index()] = grown;
+        front.push({grown, w.id});
+      }
+    });
+  }
 }
 
 }  // namespace ucvt

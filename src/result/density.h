@@ -11,7 +11,12 @@ namespace ucvt {
 /// paper's section 6.2).
 std::vector<double> conformal_factor(const Uniformized& t);
 
-/// rho = cf^2 (the paper's equation 12), scaled so that its largest value is 1.
-std::vector<double> uniform_sizing_density(const std::vector<double>& conformal_factor);
+/// rho = cf^2/size^4 (the paper's equation 12), scaled so that its largest value is 1, for cells
+/// whose size on the input is `size` at every vertex of T.
+std::vector<double> sizing_density(const std::vector<double>& conformal_factor,
+                                   const std::vector<double>& size);
+
+/// Lowers sizes until they grow by at most `growth` per unit of length on the input.
+void limit_growth(const Uniformized& t, double growth, std::vector<double>& size);
 
 }  // namespace ucvt

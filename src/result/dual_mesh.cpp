@@ -1,6 +1,7 @@
 #include "result/dual_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace ucvt {
@@ -18,7 +19,7 @@ TriangleMesh dual_mesh(const Uniformized& t, const DelaunayTriangulation& d,
   return out;
 }
 
-std::vector<Halfedge> edges_not_simplicial(const DelaunayTriangulation& d) {
+std::vector<NonSimplicialEdge> edges_not_simplicial(const DelaunayTriangulation& d) {
   const Connectivity& c = d.connectivity();
   using Edge = std::tuple<std::int32_t, std::int32_t, double, std::int32_t>;
   std::vector<Edge> edges;
@@ -31,12 +32,19 @@ std::vector<Halfedge> edges_not_simplicial(const DelaunayTriangulation& d) {
     edges.emplace_back(std::min(a, b), std::max(a, b), d.offset(h).h, h.id);
   }
   std::sort(edges.begin(), edges.end());
-  std::vector<Halfedge> out;
+  std::vector<NonSimplicialEdge> out;
+  double shortest = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto& [a, b, length, h] = edges[i];
+    const auto& [a, b, height, h] = edges[i];
+    const double length = std::sqrt(2 * height);
     const bool again = i > 0 && std::get<0>(edges[i - 1]) == a && std::get<1>(edges[i - 1]) == b;
-    if (a == b || again) {
-      out.push_back({h});
+    if (!again) {
+      shortest = length;
+    }
+    if (a == b) {
+      out.push_back({{h}, length});
+    } else if (again) {
+      out.push_back({{h}, shortest + length});
     }
   }
   return out;

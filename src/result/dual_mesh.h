@@ -12,8 +12,12 @@ namespace ucvt {
 TriangleMesh dual_mesh(const Uniformized& t, const DelaunayTriangulation& d,
                        const std::vector<SurfacePoint>& sites);
 
-/// Halfedges of D that keep it from being a simplicial complex: loops, and all but the shortest of
-/// several edges between the same two sites. One halfedge for each such edge.
-std::vector<Halfedge> edges_not_simplicial(const DelaunayTriangulation& d);
+/// An edge of D that keeps it from being a simplicial complex: a loop, or any but the shortest of
+/// several edges between the same two sites, which makes a loop with that one.
+struct NonSimplicialEdge {
+  Halfedge halfedge;
+  double loop_length;  ///< in the uniform metric, by chords
+};
+std::vector<NonSimplicialEdge> edges_not_simplicial(const DelaunayTriangulation& d);
 
 }  // namespace ucvt

@@ -25,16 +25,19 @@ namespace {
 /// a dozen of T's faces at least, which resolves the density across them.
 constexpr double edge_per_spacing = 0.5;
 
-/// Rounds of adding sites for a simplicial dual mesh. In the first ones all sites go on moving; where
-/// that takes the sites away again from a handle too thin for them, they are kept there from then on.
-constexpr int free_rounds = 3, max_rounds = 40;
+/// Rounds of making room for a simplicial dual mesh, and the iterations of a round.
+constexpr int max_rounds = 40, round_iterations = 30;
+
+/// Edges of the shortest loop in a simplicial complex; cells shrink by at least `least_shrink` a
+/// round where there is no room for it, and grow back by at most `growth` per unit of distance.
+constexpr double shortest_loop = 3, least_shrink = 0.8, growth = 0.7;
 
 /// Draws of random initial sites before giving up.
 constexpr int max_draws = 200;
 
-double longest_edge_for(const TriangleMesh& mesh, int sites) {
-  const double cell = survey(mesh).area / sites;
-  return edge_per_spacing * std::sqrt(2 * cell / std::numbers::sqrt3);
+/// Distance between neighbours in a hexagonal lattice of so many sites on the mesh.
+double hexagonal_spacing(const TriangleMesh& mesh, int sites) {
+  return std::sqrt(2 * survey(mesh).area / (sites * std::numbers::sqrt3));
 }
 
 void check_count(const ClosedSurface& surface, int sites) {
@@ -88,6 +91,19 @@ std::vector<SurfacePoint> initial_sites(const Uniformized& t, const RemeshOption
   return farthest_sites(t.surface, length, n, options.seed);
 }
 
+std::vector<double> initial_size(const RemeshOptions& options, std::size_t vertices) {
+  if (options.initial_size.empty()) {
+    return std::vector<double>(vertices, 1.0);
+  }
+  if (options.initial_size.size() != vertices) {
+    throw InvalidInput(
+        fmt::format("{} cell sizes do not fit the surface, which has {} vertices; "
+                    "give sites made for the same mesh and count",
+                    options.initial_size.size(), vertices));
+  }
+  return options.initial_size;
+}
+
 /// The middle of an edge of D.
 SurfacePoint midpoint(const Tessellation& sites, const UniformSurface& t, Halfedge h) {
   const Space s = t.space();
@@ -104,21 +120,24 @@ class Remesher {
   Remesher(const ClosedSurface& surface, const RemeshOptions& options)
       : options_(options),
         surface_(uniformize(surface,
-                            {longest_edge_for(surface.mesh, options.refine_for), options.monitor})),
+                            {edge_per_spacing * hexagonal_spacing(surface.mesh, options.refine_for),
+                             options.monitor})),
         t_(surface_.value()),
         factor_(conformal_factor(t_)),
-        integrator_(t_.surface, uniform_sizing_density(factor_)) {}
+        spacing_3d_(hexagonal_spacing(surface.mesh, options.refine_for)),
+        size_(initial_size(options, factor_.size())),
+        integrator_(std::make_unique<CellIntegrator>(t_.surface, sizing_density(factor_, size_))) {}
 
   RemeshResult run() {
     const auto start = std::chrono::steady_clock::now();
     place_initial_sites();
-    optimize();
     const std::size_t asked = sites_->site_count();
-    for (int round = 0; options_.ensure_simplicial && round < max_rounds; ++round) {
-      if (!add_sites_in_the_way(round >= free_rounds)) {
-        break;
+    optimize(options_.iterations);
+    for (int round = 0; options_.ensure_simplicial && round < max_rounds && make_room(); ++round) {
+      optimize(std::min(round_iterations, options_.iterations));
+      if (edges_not_simplicial(sites_->delaunay()).empty()) {
+        optimize(options_.iterations);
       }
-      optimize();
     }
     const auto added = static_cast<std::int64_t>(sites_->site_count() - asked);
     cvt_.sites = static_cast<std::int64_t>(sites_->site_count());
@@ -141,7 +160,7 @@ class Remesher {
     const bool redraw = options.init == InitialSites::Random && options.initial_sites.empty();
     for (int tries = redraw ? max_draws : 1;; --tries) {
       try {
-        sites_ = std::make_unique<Tessellation>(integrator_, initial_sites(t_, options));
+        sites_ = std::make_unique<Tessellation>(*integrator_, initial_sites(t_, options));
         if (covers_surface()) {
           return;
         }
@@ -155,8 +174,8 @@ class Remesher {
     }
   }
 
-  void optimize() {
-    const LloydOptions lloyd_options{options_.iterations, options_.tolerance, fixed_};
+  void optimize(int iterations) {
+    const LloydOptions lloyd_options{iterations, options_.tolerance};
     auto result = lloyd(*sites_, lloyd_options, options_.monitor);
     cvt_.energy.insert(cvt_.energy.end(), result.energy.begin(), result.energy.end());
     cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin(), result.max_move.end());
@@ -166,28 +185,35 @@ class Remesher {
     }
   }
 
-  /// Adds the middles of the edges that keep the dual mesh from being simplicial, once, or until it
-  /// is and then for good. Returns false when there are none.
-  bool add_sites_in_the_way(bool for_good) {
-    bool any = false;
-    do {
-      const auto in_the_way = edges_not_simplicial(sites_->delaunay());
-      if (in_the_way.empty()) {
-        break;
-      }
-      any = true;
-      const Connectivity& c = sites_->delaunay().connectivity();
-      std::vector<SurfacePoint> more = sites_->sites();
-      fixed_.resize(more.size() + in_the_way.size(), 0);
-      for (const Halfedge h : in_the_way) {
-        if (for_good) {
-          fixed_[more.size()] = fixed_[c.origin(h).index()] = fixed_[c.head(h).index()] = 1;
+  /// Asks for cells so small, near every edge that keeps the dual mesh from being simplicial, that a
+  /// loop of three edges fits round the handle there, and adds the edge's middle as a site. False
+  /// when there is no such edge.
+  bool make_room() {
+    const DelaunayTriangulation& d = sites_->delaunay();
+    const auto in_the_way = edges_not_simplicial(d);
+    if (in_the_way.empty()) {
+      return false;
+    }
+    std::vector<SurfacePoint> sites = sites_->sites();
+    std::vector<double> size = size_;
+    for (const NonSimplicialEdge& e : in_the_way) {
+      const Vertex a = d.connectivity().origin(e.halfedge);
+      const double room = e.loop_length / (shortest_loop * sites_->spacing(a));
+      const SurfacePoint middle = midpoint(*sites_, t_.surface, e.halfedge);
+      for (const Face f : {middle.face, sites_->place(a).face}) {
+        for (const Halfedge h : halfedges(f)) {
+          const std::size_t v = t_.surface.connectivity().origin(h).index();
+          size[v] = std::min(size[v], size_[v] * std::min(room, least_shrink));
         }
-        more.push_back(midpoint(*sites_, t_.surface, h));
       }
-      sites_ = std::make_unique<Tessellation>(integrator_, more);
-    } while (for_good);
-    return any;
+      sites.push_back(middle);
+    }
+    limit_growth(t_, growth / spacing_3d_, size);
+    size_ = std::move(size);
+    sites_.reset();
+    integrator_ = std::make_unique<CellIntegrator>(t_.surface, sizing_density(factor_, size_));
+    sites_ = std::make_unique<Tessellation>(*integrator_, sites);
+    return true;
   }
 
   [[nodiscard]] RemeshResult collect(std::int64_t added) const {
@@ -197,7 +223,8 @@ class Remesher {
                      surface_,
                      {},
                      options_.refine_for,
-                     integrator_.density(),
+                     integrator_->density(),
+                     size_,
                      cvt_,
                      {},
                      {},
@@ -226,9 +253,10 @@ class Remesher {
   UniformizedSurface surface_;
   const Uniformized& t_;
   std::vector<double> factor_;
-  CellIntegrator integrator_;
+  double spacing_3d_;         ///< hexagonal spacing of the sites on the input
+  std::vector<double> size_;  ///< wanted at T's vertices, relative to that spacing
+  std::unique_ptr<CellIntegrator> integrator_;
   std::unique_ptr<Tessellation> sites_;
-  std::vector<char> fixed_;
   CvtReport cvt_;
 };
 

@@ -11,8 +11,6 @@
 #include "ucvt/remesh.h"
 
 namespace ucvt {
-namespace {}  // namespace
-
 SavedSites read_sites(const std::string& path) {
   const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
   const auto wrong = [](const std::string& what) {
@@ -43,9 +41,19 @@ SavedSites read_sites(const std::string& path) {
   if (out.empty()) {
     throw wrong("has an empty list \"sites\"");
   }
-  SavedSites saved{std::move(out), 0};
+  SavedSites saved{std::move(out), 0, {}};
   if (json.contains("refined_for") && json["refined_for"].is_number_integer()) {
     saved.refine_for = json["refined_for"].get<int>();
+  }
+  if (json.contains("size")) {
+    const auto& size = json["size"];
+    const bool valid = size.is_array() && std::all_of(size.begin(), size.end(), [](const auto& x) {
+                         return x.is_number() && x.template get<double>() > 0;
+                       });
+    if (!valid) {
+      throw wrong("has a \"size\" that is not a list of positive numbers");
+    }
+    saved.size = size.get<std::vector<double>>();
   }
   return saved;
 }
@@ -58,6 +66,7 @@ void write_sites(const std::string& path, const RemeshResult& result) {
   }
   json["refined_for"] = result.refined_for;
   json["density"] = result.density;
+  json["size"] = result.size;
   OutputFile file(path);
   file.write(json.dump());
   file.write("\n");

@@ -112,8 +112,8 @@ Vertex Connectivity::split_face(Face f, Vertex reuse) {
   set_origin(c, n);
   out_[u.index()] = a, out_[v.index()] = b, out_[w.index()] = c0;
   // A side of f may be glued to another side of f.
+  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): b0 and c0 are set
   const auto moved = [&](Halfedge x) { return x == b ? b0 : x == c ? c0 : x; };
-  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): tb was read before the faces were added
   glue(b0, moved(tb));
   glue(c0, moved(tc));
   glue(b, b2);
@@ -133,8 +133,8 @@ Vertex Connectivity::split_edge(Halfedge h) {
   const auto [b0, b1, b2] = halfedges(g2);
   set_origin(hn, n), set_origin(t, n);
   out_[m.index()] = tp, out_[j.index()] = a1, out_[k.index()] = h.prev();
+  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): a1 and b2 are set
   const auto moved = [&](Halfedge x) { return x == hn ? a1 : x == tp ? b2 : x; };
-  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): jk was read before the faces were added
   glue(a1, moved(jk));
   glue(b2, moved(mj));
   glue(a0, b0);

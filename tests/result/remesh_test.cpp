@@ -128,8 +128,11 @@ TEST_P(RemeshTest, SitesRoundTripExactlyAndRestart) {
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
   const std::string path = folder + "/sites.json";
   write_sites(path, out);
-  const auto back = read_sites(path).sites;
+  const SavedSites saved = read_sites(path);
+  const auto& back = saved.sites;
   std::filesystem::remove_all(folder);
+  EXPECT_EQ(saved.size, out.size);
+  EXPECT_EQ(saved.refine_for, out.refined_for);
   ASSERT_EQ(back.size(), out.sites.size());
   for (std::size_t i = 0; i < back.size(); ++i) {
     EXPECT_EQ(back[i].face, out.sites[i].face);
@@ -151,6 +154,28 @@ INSTANTIATE_TEST_SUITE_P(Meshes, RemeshTest,
                                          Case{"torus", oracle::grid_torus(16, 10), 1},
                                          Case{"double_torus", oracle::voxel_frame(2), 2}),
                          [](const auto& name) { return std::string(name.param.name); });
+
+TEST(Remesh, MakesRoomForThinHandlesByDensity) {
+  const ClosedSurface surface = oracle::closed(oracle::voxel_frame(2));
+  RemeshOptions options;
+  options.sites = 8, options.iterations = 3000, options.tolerance = 1e-7;
+  const RemeshResult out = remesh(surface, options);
+  ASSERT_GT(out.report.sites_added, 0);
+  EXPECT_TRUE(out.report.simplicial);
+  EXPECT_TRUE(out.cvt.converged) << "added sites are at their centroids like all others";
+  EXPECT_LT(*std::min_element(out.size.begin(), out.size.end()), 0.9);
+  EXPECT_LE(*std::max_element(out.size.begin(), out.size.end()), 1.0);
+
+  RemeshOptions again = options;
+  again.initial_sites = out.sites, again.initial_size = out.size,
+  again.refine_for = out.refined_for;
+  const RemeshResult restarted = remesh(surface, again);
+  EXPECT_EQ(restarted.density, out.density);
+  EXPECT_EQ(restarted.report.sites_added, 0);
+  EXPECT_LE(restarted.cvt.iterations, 3);
+  again.initial_size.pop_back();
+  EXPECT_THROW(remesh(surface, again), InvalidInput);
+}
 
 TEST(Remesh, RefusesWhatDoesNotFit) {
   const ClosedSurface surface = oracle::closed(oracle::cube());
