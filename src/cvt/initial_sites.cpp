@@ -67,7 +67,6 @@ std::vector<SurfacePoint> farthest_sites(const UniformSurface& t, const std::vec
       }
       c.for_outgoing({v}, [&](Halfedge e) {
         const Vertex w = c.head(e);
-        // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): one entry per halfedge
         const double through = d + length[e.index()];
         if (through >= distance[w.index()]) {
           return;

@@ -41,7 +41,8 @@ class PipeSignalBlock {
     }
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
-  PipeSignalBlock(PipeSignalBlock&&) = delete;
+  PipeSignalBlock(const PipeSignalBlock&) = delete;
+  PipeSignalBlock& operator=(const PipeSignalBlock&) = delete;
 
  private:
   sigset_t pipe_ = {}, before_ = {};
