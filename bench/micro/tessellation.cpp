@@ -9,10 +9,11 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
 
 #include "conformal/uniformize.h"
-#include "cvt/cell_integrator.h"
 #include "cvt/initial_sites.h"
+#include "cvt/surface_mass.h"
 
 namespace ucvt {
 namespace {
@@ -39,15 +40,15 @@ const Uniformized& surface() {
   return t;
 }
 
-const CellIntegrator& integrator() {
-  static const CellIntegrator out(
+const SurfaceMass& mass() {
+  static const SurfaceMass out(
       surface().surface, std::vector<double>(surface().surface.connectivity().vertex_count(), 1.0));
   return out;
 }
 
 Tessellation tessellation(std::int64_t sites) {
-  return {integrator(), random_sites(surface().surface, surface().vertex_area_3d,
-                                     static_cast<std::size_t>(sites), 1)};
+  return {mass(), random_sites(surface().surface, surface().vertex_area_3d,
+                               static_cast<std::size_t>(sites), 1)};
 }
 
 Vertex vertex(std::size_t i) {
@@ -68,23 +69,16 @@ void develop(benchmark::State& state) {
 }
 BENCHMARK(develop);
 
-/// Clips and integrates all cells in turn, on one thread; one item is one cell.
-void cell(benchmark::State& state) {
+/// Moments of all cells, on one thread; one item is one cell.
+void cells(benchmark::State& state) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Tessellation sites = tessellation(state.range(0));
-  const DelaunayTriangulation& d = sites.delaunay();
-  std::vector<std::vector<Offset>> neighbours(sites.site_count());
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    d.connectivity().for_outgoing(vertex(i),
-                                  [&](Halfedge h) { neighbours[i].push_back(d.offset(h)); });
-  }
-  CellIntegrator::Workspace work(integrator());
-  std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(integrator().integrate(sites.place(vertex(i)), neighbours[i], work));
-    i = (i + 1) % neighbours.size();
+    benchmark::DoNotOptimize(sites.cell_moments());
   }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
 }
-BENCHMARK(cell)->Arg(100)->Arg(1000)->ArgName("sites");
+BENCHMARK(cells)->Arg(100)->Arg(1000)->ArgName("sites");
 
 /// A third of the way from v to the two next corners of one of its faces.
 Offset inside_a_face(const DelaunayTriangulation& d, Vertex v) {

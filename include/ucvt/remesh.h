@@ -45,7 +45,7 @@ struct CvtReport {
   bool converged = false;
   std::vector<double> energy;    ///< sum over cells of int rho chord^2, before each iteration
   std::vector<double> max_move;  ///< largest move relative to the site's spacing
-  double seconds = 0;
+  double seconds = 0;            ///< of the iterations
 };
 
 /// The paper's measures of uniformity (its section 5.3), in the uniform metric.

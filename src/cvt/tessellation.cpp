@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "ucvt/error.h"
@@ -89,8 +88,10 @@ DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<Sur
 
 }  // namespace
 
-Tessellation::Tessellation(const CellIntegrator& integrator, const std::vector<SurfacePoint>& sites)
-    : integrator_(integrator), d_(triangulate(integrator.surface(), sites, places_)) {}
+Tessellation::Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites)
+    : mass_(mass),
+      d_(triangulate(mass.surface(), sites, places_)),
+      cells_(mass.surface(), d_, places_) {}
 
 std::vector<SurfacePoint> Tessellation::sites() const {
   std::vector<SurfacePoint> out;
@@ -100,33 +101,15 @@ std::vector<SurfacePoint> Tessellation::sites() const {
   return out;
 }
 
-std::vector<Moments> Tessellation::cell_moments(const CellIntegrator& integrator) const {
-  struct Scratch {
-    CellIntegrator::Workspace work;
-    std::vector<Offset> neighbours;
-  };
-  std::vector<Moments> out(places_.size());
-  tbb::enumerable_thread_specific<Scratch> scratch(
-      [&] { return Scratch{CellIntegrator::Workspace(integrator), {}}; });
-  tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t i) {
-    Scratch& s = scratch.local();
-    s.neighbours.clear();
-    d_.connectivity().for_outgoing({static_cast<std::int32_t>(i)},
-                                   [&](Halfedge h) { s.neighbours.push_back(d_.offset(h)); });
-    out[i] = integrator.integrate(places_[i], s.neighbours, s.work);
-  });
-  return out;
-}
-
 void Tessellation::move(const std::vector<Offset>& target) {
   std::vector<Offset> reached(target.size());
   for (std::size_t i = 0; i < target.size(); ++i) {
     reached[i] = d_.move({static_cast<std::int32_t>(i)}, target[i]);
   }
   d_.make_delaunay();
-  tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t i) {
-    move_place(integrator_.surface(), places_[i], reached[i]);
-  });
+  tbb::parallel_for(std::size_t{0}, places_.size(),
+                    [&](std::size_t i) { move_place(mass_.surface(), places_[i], reached[i]); });
+  cells_.follow(d_, reached);
 }
 
 double Tessellation::spacing(Vertex site) const {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cvt/cell_integrator.h"
+#include "cvt/surface_cells.h"
 #include "triangulation/delaunay.h"
 #include "ucvt/uniformize.h"
 
@@ -14,19 +14,21 @@ namespace ucvt {
 class Tessellation {
  public:
   /// Builds D from T by inserting the sites and removing T's vertices. Keeps a reference to the
-  /// integrator. Requires at least one site, four on the sphere. Throws InvalidInput when two sites
+  /// mass. Requires at least one site, four on the sphere. Throws InvalidInput when two sites
   /// coincide.
-  Tessellation(const CellIntegrator& integrator, const std::vector<SurfacePoint>& sites);
+  Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites);
 
   [[nodiscard]] const DelaunayTriangulation& delaunay() const { return d_; }
   [[nodiscard]] std::size_t site_count() const { return places_.size(); }
   [[nodiscard]] const Place& place(Vertex site) const { return places_[site.index()]; }
   [[nodiscard]] std::vector<SurfacePoint> sites() const;
 
-  /// Moments of every cell, each in its site's frame, under the integrator's density or another
-  /// one's on the same T. In parallel; the same bits for any number of threads.
-  [[nodiscard]] std::vector<Moments> cell_moments(const CellIntegrator& integrator) const;
-  [[nodiscard]] std::vector<Moments> cell_moments() const { return cell_moments(integrator_); }
+  /// Moments of every cell, each in its site's frame, under the surface's density or another one on
+  /// the same T. In parallel; the same bits for any number of threads.
+  [[nodiscard]] std::vector<Moments> cell_moments(const SurfaceMass& mass) const {
+    return cells_.moments(mass, places_);
+  }
+  [[nodiscard]] std::vector<Moments> cell_moments() const { return cell_moments(mass_); }
 
   /// Moves site i to target[i] in its own frame, all of them, and restores Delaunay.
   void move(const std::vector<Offset>& target);
@@ -35,9 +37,10 @@ class Tessellation {
   [[nodiscard]] double spacing(Vertex site) const;
 
  private:
-  const CellIntegrator& integrator_;
+  const SurfaceMass& mass_;
   std::vector<Place> places_;  // filled while d_ is built
   DelaunayTriangulation d_;
+  SurfaceCells cells_;
 };
 
 struct LloydOptions {

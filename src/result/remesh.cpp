@@ -126,10 +126,9 @@ class Remesher {
         factor_(conformal_factor(t_)),
         spacing_3d_(hexagonal_spacing(surface.mesh, options.refine_for)),
         size_(initial_size(options, factor_.size())),
-        integrator_(std::make_unique<CellIntegrator>(t_.surface, sizing_density(factor_, size_))) {}
+        mass_(std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_))) {}
 
   RemeshResult run() {
-    const auto start = std::chrono::steady_clock::now();
     place_initial_sites();
     const std::size_t asked = sites_->site_count();
     optimize(options_.iterations);
@@ -142,7 +141,6 @@ class Remesher {
     const auto added = static_cast<std::int64_t>(sites_->site_count() - asked);
     cvt_.sites = static_cast<std::int64_t>(sites_->site_count());
     cvt_.iterations = static_cast<int>(cvt_.energy.size());
-    cvt_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return collect(added);
   }
 
@@ -160,7 +158,7 @@ class Remesher {
     const bool redraw = options.init == InitialSites::Random && options.initial_sites.empty();
     for (int tries = redraw ? max_draws : 1;; --tries) {
       try {
-        sites_ = std::make_unique<Tessellation>(*integrator_, initial_sites(t_, options));
+        sites_ = std::make_unique<Tessellation>(*mass_, initial_sites(t_, options));
         if (covers_surface()) {
           return;
         }
@@ -176,7 +174,9 @@ class Remesher {
 
   void optimize(int iterations) {
     const LloydOptions lloyd_options{iterations, options_.tolerance};
+    const auto start = std::chrono::steady_clock::now();
     auto result = lloyd(*sites_, lloyd_options, options_.monitor);
+    cvt_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     cvt_.energy.insert(cvt_.energy.end(), result.energy.begin(), result.energy.end());
     cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin(), result.max_move.end());
     cvt_.converged = result.converged;
@@ -211,8 +211,8 @@ class Remesher {
     limit_growth(t_, growth / spacing_3d_, size);
     size_ = std::move(size);
     sites_.reset();
-    integrator_ = std::make_unique<CellIntegrator>(t_.surface, sizing_density(factor_, size_));
-    sites_ = std::make_unique<Tessellation>(*integrator_, sites);
+    mass_ = std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_));
+    sites_ = std::make_unique<Tessellation>(*mass_, sites);
     return true;
   }
 
@@ -223,7 +223,7 @@ class Remesher {
                      surface_,
                      {},
                      options_.refine_for,
-                     integrator_->density(),
+                     mass_->density(),
                      size_,
                      cvt_,
                      {},
@@ -233,7 +233,7 @@ class Remesher {
       out.sites.push_back({p.face.id, p.bary});
     }
     out.uniformity = measure_uniformity(d);
-    const CellIntegrator area_on_input(t_.surface, factor_);
+    const SurfaceMass area_on_input(t_.surface, factor_);
     std::vector<double> areas;
     for (const Moments& m : sites_->cell_moments(area_on_input)) {
       areas.push_back(m.m);
@@ -255,7 +255,7 @@ class Remesher {
   std::vector<double> factor_;
   double spacing_3d_;         ///< hexagonal spacing of the sites on the input
   std::vector<double> size_;  ///< wanted at T's vertices, relative to that spacing
-  std::unique_ptr<CellIntegrator> integrator_;
+  std::unique_ptr<SurfaceMass> mass_;
   std::unique_ptr<Tessellation> sites_;
   CvtReport cvt_;
 };

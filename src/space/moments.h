@@ -38,6 +38,14 @@ struct Weights {
     excess += o.excess;
     return *this;
   }
+  Weights& operator-=(const Weights& o) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      mu[i] -= o.mu[i];
+    }
+    mass -= o.mass;
+    excess -= o.excess;
+    return *this;
+  }
 };
 
 /// The moments that the weights stand for, in the frame that the corners are given in.

@@ -205,12 +205,12 @@ TEST_P(DelaunayTest, AFailedMoveInTheStarChangesNothing) {
 
 TEST_P(DelaunayTest, AgreesWithBruteForceOverCopies) {
   const std::vector<double> one(t.connectivity().vertex_count(), 1.0);
-  const CellIntegrator integrator(t, one);
+  const SurfaceMass mass(t, one);
   for (const std::size_t n : {4, 12, 40}) {
     if (t.space().kappa > 0 && n < 12) {
       continue;
     }
-    const Tessellation sites(integrator, oracle::random_points(t, n, 10 + n));
+    const Tessellation sites(mass, oracle::random_points(t, n, 10 + n));
     const auto points = sites.sites();
     const DelaunayTriangulation& d = sites.delaunay();
     expect_sound(d);
