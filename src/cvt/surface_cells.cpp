@@ -172,54 +172,40 @@ class SurfaceCells::Sweep {
     share_out(f, out);
   }
 
-  /// The face's corners in the frame of corner i's owner, by the lifts of the other two.
-  [[nodiscard]] std::optional<Triangle> corners_about(Face f, std::size_t i) const {
-    const auto side = halfedges(f);
-    const Lift& at = lift(f, i);
-    Triangle out;
-    out[i] = at.at;
-    bool found[2] = {false, false};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::size_t other = (i + 1 + k) % 3;
-      const Lift& l = lift(f, other);
-      const Halfedge joint = side[k == 0 ? i : other];
-      if (l.owner == at.owner && joins(joint, at.at, l.at)) {
-        out[other] = l.at, found[k] = true;
+  /// Where the end of h other than `from` lies in the frame of the cell that `from` is given in: by
+  /// its own lift there, or in the cell of a neighbour.
+  [[nodiscard]] std::optional<Offset> other_end(Halfedge h, const Lift& from,
+                                                const Lift& other) const {
+    if (other.owner == from.owner && joins(h, from.at, other.at)) {
+      return other.at;
+    }
+    for (const Stars::Neighbour& n : cells_.stars_.neighbours(from.owner)) {
+      if (n.site == other.owner) {
+        const Offset p = n.frame.apply(space_, other.at);
+        if (joins(h, from.at, p)) {
+          return p;
+        }
       }
-    }
-    const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
-    if (found[0]) {
-      out[last] = t_.develop(t_.connectivity().twin(side[i]), out[next], out[i]);
-      return out;
-    }
-    if (found[1]) {
-      out[next] = t_.develop(t_.connectivity().twin(side[last]), out[i], out[last]);
-      return out;
     }
     return std::nullopt;
   }
 
-  /// The same by way of the owner's neighbours, when the other two corners lie in their cells.
-  [[nodiscard]] std::optional<Triangle> corners_by_neighbours(Face f) const {
-    const Lift& at = lift(f, 0);
+  /// The face's corners in the frame of corner i's owner, when T or D shows them nearby.
+  [[nodiscard]] std::optional<Triangle> corners_about(Face f, std::size_t i) const {
+    const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
     const auto side = halfedges(f);
-    Triangle out{at.at, {}, {}};
-    bool found[2] = {false, false};
-    for (const Stars::Neighbour& n : cells_.stars_.neighbours(at.owner)) {
-      for (std::size_t k = 1; k < 3; ++k) {
-        const Lift& l = lift(f, k);
-        if (l.owner != n.site || found[k - 1]) {
-          continue;
-        }
-        const Offset p = on_quadric(space_, n.frame.apply(space_, l.at));
-        if (joins(side[k == 1 ? 0 : 2], at.at, p)) {
-          out[k] = p, found[k - 1] = true;
-        }
-      }
-    }
-    if (!found[0] || !found[1] || !joins(side[1], out[1], out[2])) {
+    const Lift& at = lift(f, i);
+    Triangle out;
+    out[i] = at.at;
+    const auto p = other_end(side[i], at, lift(f, next));
+    const auto q = other_end(side[last], at, lift(f, last));
+    if (!p && !q) {
       return std::nullopt;
     }
+    out[next] = p ? *p : t_.develop(t_.connectivity().twin(side[last]), at.at, *q);
+    out[last] = q && (!p || joins(side[next], *p, *q))
+                    ? *q
+                    : t_.develop(t_.connectivity().twin(side[i]), *p, at.at);
     return out;
   }
 
@@ -246,9 +232,6 @@ class SurfaceCells::Sweep {
         return {lift(f, i).owner, *corners};
       }
     }
-    if (const auto corners = corners_by_neighbours(f)) {
-      return {lift(f, 0).owner, *corners};
-    }
     return {lift(f, 0).owner, corners_by_walk(f)};
   }
 
@@ -268,7 +251,7 @@ class SurfaceCells::Sweep {
         const Stars::Neighbour& next = neighbours[j];
         Visit v{next.site, {}};
         for (std::size_t i = 0; i < 3; ++i) {
-          v.corner[i] = on_quadric(space_, next.frame.apply_inverse(space_, visits_[n].corner[i]));
+          v.corner[i] = next.frame.apply_inverse(space_, visits_[n].corner[i]);
         }
         if (!was_visited(f, v)) {
           visits_.push_back(v);

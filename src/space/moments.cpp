@@ -13,8 +13,12 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
   return l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
 }
 
-/// Below this squared size the power series of `add_small` end at rounding and seven nodes suffice.
-constexpr double small_size2 = 1e-6;
+/// Below these squared sizes seven nodes suffice, and the power series of `by_series` end at rounding.
+constexpr double tiny_size2 = 1e-6, small_size2 = 3e-4;
+
+/// Triangles whose squared sides are all below this stretch no piece by more than `near_stretch`:
+/// form <= side^2/3.
+constexpr double near_side2 = 0.1, near_stretch = 1.04;
 
 /// Degree of the rule that resolves a bigger piece of the given squared size (its longest side in the
 /// space, roughly); 0 when the piece must be cut first.
@@ -49,8 +53,11 @@ struct Piece {
     if (space.kappa == 0) {
       return 0;
     }
-    const Barycentric mid{(a.b1 + b.b1 + c.b1) / 3, (a.b2 + b.b2 + c.b2) / 3};
-    const double w2 = std::max({stretch(a), stretch(b), stretch(c), stretch(mid)});
+    double w2 = near_stretch;
+    if (std::max({triangle.chord2[0], triangle.chord2[1], triangle.chord2[2]}) > near_side2) {
+      const Barycentric mid{(a.b1 + b.b1 + c.b1) / 3, (a.b2 + b.b2 + c.b2) / 3};
+      w2 = std::max({stretch(a), stretch(b), stretch(c), stretch(mid)});
+    }
     const auto side2 = [&](Barycentric p, Barycentric q) {
       const double d1 = q.b1 - p.b1, d2 = q.b2 - p.b2;
       return -chord_form(triangle, -d1 - d2, d1, d2);
@@ -78,11 +85,11 @@ struct Piece {
     return out;
   }
   /// The same for small pieces, where w = (1 - f)^(-1/2) is its power series: no root, no division.
-  [[nodiscard]] Weights small(Barycentric a, Barycentric b, Barycentric c) const {
+  [[nodiscard]] Weights by_series(int degree, Barycentric a, Barycentric b, Barycentric c) const {
     const double jacobian =
         triangle.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
     Weights out;
-    for (const auto& q : triangle_rule(5)) {
+    for (const auto& q : triangle_rule(degree)) {
       const double l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
       const double l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
       const double l0 = 1 - l1 - l2;
@@ -103,7 +110,7 @@ struct Piece {
   [[nodiscard]] Weights integrate(Barycentric a, Barycentric b, Barycentric c, int depth) const {
     const double piece2 = size2(a, b, c);
     if (piece2 < small_size2) {
-      return small(a, b, c);
+      return by_series(piece2 < tiny_size2 ? 5 : 8, a, b, c);
     }
     const int degree = degree_for(piece2);
     if (degree != 0 || depth == max_depth) {
