@@ -59,6 +59,7 @@ struct SpaceOptions {
   int iterations = 1000;
   double tolerance = 1e-4;
   int threads = 0;
+  bool keep_cells = true;  ///< fill SpaceResult::cells, initial_cells and triangles
   Monitor monitor;
 };
 
@@ -83,8 +84,9 @@ struct SpaceResult {
   /// Delaunay triangles as three site numbers, counterclockwise; the dual of the cells' corners.
   std::vector<std::array<std::int32_t, 3>> triangles;
   CvtReport cvt;
-  /// The paper's energy of each iteration: F^S_min, F^S_max of the sphere, F^E, F^H (its section 3).
+  /// The paper's energy of each iteration: F^S_min = -F^S_max, F^E or F^H (its section 3).
   std::vector<double> paper_energy;
+  double quadrature_error = 0;  ///< largest bound on the relative error of a final cell's integrals
   UniformityReport initial_uniformity, uniformity;
 };
 

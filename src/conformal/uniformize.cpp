@@ -10,7 +10,7 @@
 
 #include "conformal/metric_solver.h"
 #include "conformal/punctured_sphere.h"
-#include "mesh/spatial_order.h"
+#include "triangulation/hilbert_order.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -25,6 +25,28 @@ constexpr double angle_tolerance = 1e-10;
 constexpr double steepest_edge = 0.5;
 constexpr int max_refinements = 2;
 constexpr double ignored_share = 1e-3;
+
+/// The same mesh with its faces along a space-filling curve: cells then read T in runs instead of
+/// all over memory.
+TriangleMesh with_faces_in_spatial_order(const TriangleMesh& mesh) {
+  std::vector<Position> centroids;
+  centroids.reserve(mesh.faces.size());
+  for (const Corners& face : mesh.faces) {
+    Position centroid{};
+    for (const std::int32_t v : face) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        centroid[c] += mesh.positions[static_cast<std::size_t>(v)][c] / 3;
+      }
+    }
+    centroids.push_back(centroid);
+  }
+  TriangleMesh out{mesh.positions, {}};
+  out.faces.reserve(mesh.faces.size());
+  for (const std::size_t f : hilbert_order(centroids)) {
+    out.faces.push_back(mesh.faces[f]);
+  }
+  return out;
+}
 
 struct Solution {
   std::vector<double> u;

@@ -13,12 +13,12 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
   return l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
 }
 
-/// Below these squared sizes seven nodes suffice, and the power series of `by_series` end at rounding.
-constexpr double tiny_size2 = 1e-6, small_size2 = 3e-4;
+/// Below this squared size of a piece seven nodes suffice.
+constexpr double tiny_size2 = 1e-6;
 
-/// Triangles whose squared sides are all below this stretch no piece by more than `near_stretch`:
-/// form <= side^2/3.
-constexpr double near_side2 = 0.1, near_stretch = 1.04;
+/// Triangles whose squared sides are all below `series_side2` let the power series of `by_series` end
+/// at rounding, and below `near_side2` stretch no piece by more than `near_stretch`: form <= side^2/3.
+constexpr double series_side2 = 6e-4, near_side2 = 0.1, near_stretch = 1.04;
 
 /// Degree of the rule that resolves a bigger piece of the given squared size (its longest side in the
 /// space, roughly); 0 when the piece must be cut first.
@@ -49,12 +49,15 @@ struct Piece {
   [[nodiscard]] double stretch(Barycentric p) const {
     return 1 / (1 - space.kappa * chord_form(triangle, 1 - p.b1 - p.b2, p.b1, p.b2));
   }
+  [[nodiscard]] double longest_side2() const {
+    return std::max({triangle.chord2[0], triangle.chord2[1], triangle.chord2[2]});
+  }
   [[nodiscard]] double size2(Barycentric a, Barycentric b, Barycentric c) const {
     if (space.kappa == 0) {
       return 0;
     }
     double w2 = near_stretch;
-    if (std::max({triangle.chord2[0], triangle.chord2[1], triangle.chord2[2]}) > near_side2) {
+    if (longest_side2() > near_side2) {
       const Barycentric mid{(a.b1 + b.b1 + c.b1) / 3, (a.b2 + b.b2 + c.b2) / 3};
       w2 = std::max({stretch(a), stretch(b), stretch(c), stretch(mid)});
     }
@@ -84,7 +87,7 @@ struct Piece {
     }
     return out;
   }
-  /// The same for small pieces, where w = (1 - f)^(-1/2) is its power series: no root, no division.
+  /// The same for small triangles, where w = (1 - f)^(-1/2) is its power series: no root, no division.
   [[nodiscard]] Weights by_series(int degree, Barycentric a, Barycentric b, Barycentric c) const {
     const double jacobian =
         triangle.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
@@ -109,7 +112,7 @@ struct Piece {
   }
   [[nodiscard]] Weights integrate(Barycentric a, Barycentric b, Barycentric c, int depth) const {
     const double piece2 = size2(a, b, c);
-    if (piece2 < small_size2) {
+    if (space.kappa == 0 || longest_side2() < series_side2) {
       return by_series(piece2 < tiny_size2 ? 5 : 8, a, b, c);
     }
     const int degree = degree_for(piece2);

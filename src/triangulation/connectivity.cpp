@@ -214,4 +214,14 @@ Connectivity::Compaction Connectivity::compact() {
   return to;
 }
 
+void Connectivity::renumber(const std::vector<Vertex>& to) {
+  for (Vertex& v : origin_) {
+    v = v.id >= 0 ? to[v.index()] : v;
+  }
+  const std::vector<Halfedge> old = out_;
+  for (std::size_t v = 0; v < old.size(); ++v) {
+    out_[to[v].index()] = old[v];
+  }
+}
+
 }  // namespace ucvt

@@ -113,6 +113,9 @@ class Connectivity {
   /// Drops removed vertices and faces; the order of what stays is kept.
   Compaction compact();
 
+  /// Gives vertex v the number to[v], a permutation.
+  void renumber(const std::vector<Vertex>& to);
+
  private:
   void glue(Halfedge a, Halfedge b) {
     twin_[a.index()] = b;

@@ -60,6 +60,13 @@ class DelaunayTriangulation {
   /// Drops removed vertices and faces; returns new vertex numbers by old ones.
   std::vector<Vertex> compact();
 
+  /// Replaces the offset of a halfedge by a better value of the same: rounding grows from flip to flip,
+  /// so who knows where the vertices are says so now and then. For all halfedges, or none.
+  void correct(Halfedge h, const Offset& offset) { offset_[h.index()] = offset; }
+
+  /// Gives vertex v the number to[v], a permutation.
+  void renumber(const std::vector<Vertex>& to) { connectivity_.renumber(to); }
+
   /// Sum of the faces' areas by the angles at their corners, each in its own frame: 2 pi |chi| on
   /// the sphere and the hyperbolic plane whatever happened to the triangulation.
   [[nodiscard]] double area() const;
