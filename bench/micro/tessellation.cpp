@@ -122,10 +122,8 @@ BENCHMARK(move_and_flip)->Unit(benchmark::kMicrosecond);
 /// On all cores.
 void lloyd_iteration(benchmark::State& state) {
   Tessellation sites = tessellation(state.range(0));
-  LloydOptions one;
-  one.iterations = 1, one.tolerance = 0;
   for (auto _ : state) {
-    lloyd(sites, one, {});
+    optimize(sites, {Method::Lloyd, 1, 0}, {});
   }
 }
 BENCHMARK(lloyd_iteration)

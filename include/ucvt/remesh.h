@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,16 +18,19 @@ struct Site {
   std::array<double, 3> bary{1.0 / 3, 1.0 / 3, 1.0 / 3};
 };
 
-enum class InitialSites : char { Random, Farthest };
+enum class InitialSites : char { Multilevel, Random, Farthest };
+
+enum class Method : char { Lbfgs, Lloyd };
 
 struct RemeshOptions {
   int sites = 1000;
   std::uint64_t seed = 1;
-  InitialSites init = InitialSites::Random;
+  InitialSites init = InitialSites::Multilevel;
+  Method method = Method::Lbfgs;
   std::vector<Site> initial_sites;   ///< when not empty: start here; their number is `sites`
   int refine_for = 0;                ///< refine T for this many sites; 0: for `sites`
   std::vector<double> initial_size;  ///< RemeshResult::size to start from; empty: 1 everywhere
-  int iterations = 1000;             ///< of Lloyd's method, at most
+  int iterations = 1000;             ///< evaluations of all cells, at most, after the initial state
   double tolerance = 1e-4;           ///< of the largest move, relative to the site's spacing
   bool ensure_simplicial = true;     ///< add the few sites that a simplicial dual mesh needs
   int threads = 0;                   ///< 0: all cores; results do not depend on it
@@ -39,12 +43,12 @@ struct Spread {
 };
 
 struct CvtReport {
-  std::string method = "lloyd";
+  std::string method;  ///< "lbfgs" or "lloyd"
   std::int64_t sites = 0;
-  int iterations = 0;
+  int iterations = 0;  ///< evaluations of all cells
   bool converged = false;
-  std::vector<double> energy;    ///< sum over cells of int rho chord^2, before each iteration
-  std::vector<double> max_move;  ///< largest move relative to the site's spacing
+  std::vector<double> energy;  ///< sum over cells of int rho chord^2, at first and after each step
+  std::vector<double> max_move;  ///< largest distance from a centroid over the spacing, likewise
   double seconds = 0;            ///< of the iterations
 };
 
@@ -74,6 +78,8 @@ struct RemeshReport {
   MeshQuality quality;
 };
 
+struct CellComplex;
+
 struct RemeshResult {
   TriangleMesh mesh;            ///< dual mesh: closed, oriented, of the input's genus
   UniformizedSurface surface;   ///< T as it was used, refined for the number of sites
@@ -85,6 +91,7 @@ struct RemeshResult {
   UniformityReport uniformity;
   Spread cell_area_3d;  ///< cell areas on the input surface, in its units
   RemeshReport report;
+  std::shared_ptr<const CellComplex> cells = nullptr;  ///< what `partition` cuts by; opaque
 };
 
 /// Remeshes a closed surface with a CVT of uniform density on the surface.

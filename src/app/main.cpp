@@ -10,6 +10,7 @@
 #include "app/outputs.h"
 #include "app/remesh_command.h"
 #include "app/signals.h"
+#include "app/space_command.h"
 #include "app/uniformize_command.h"
 
 namespace ucvt {
@@ -26,6 +27,7 @@ struct CommandRunner {
     return run_uniformize(arguments);
   }
   ExitStatus operator()(const InfoArguments& arguments) const { return run_info(arguments); }
+  ExitStatus operator()(const SpaceArguments& arguments) const { return run_space(arguments); }
 };
 
 ExitStatus run(int argc, const char* const* argv) {

@@ -5,16 +5,20 @@
 // formats. The commands take these structs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "ucvt/figure.h"
 #include "ucvt/remesh.h"
+#include "ucvt/space_files.h"
+#include "ucvt/spaces.h"
 
 namespace ucvt {
 
 struct SharedArguments {
-  std::string input;   ///< "-": standard input
+  std::string input;   ///< "-": standard input; empty for the commands that read no mesh
   std::string report;  ///< empty: none
   bool quiet = false;
   bool verbose = false;
@@ -41,17 +45,41 @@ struct InfoArguments {
   SharedArguments shared;
 };
 
+/// Of the commands sphere, plane, torus and hyperbolic.
+struct SpaceArguments {
+  SharedArguments shared;
+  std::string command;
+  std::string domain_text;       ///< as it was given
+  std::optional<Domain> domain;  ///< none: `domain_text` names a file that holds a polygon
+  std::string init_file;         ///< empty: random sites
+  SpaceOptions options;
+  bool sites_given = false;
+  bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
+  // Outputs; those that are empty are not written.
+  std::string output;  ///< the Delaunay mesh
+  std::string cells;
+  std::string csv;
+  std::string sites;
+  std::string figure;
+  std::string plot_energy;
+  std::string plot_uniformity;
+  Coordinates coordinates = Coordinates::Central;  ///< of the mesh and the cells
+  PictureOptions picture{.fill = Fill::DegreeClasses};
+};
+
 /// What --help and --version ask for.
 struct TextRequest {
   std::string text;
 };
 
-using Arguments = std::variant<TextRequest, RemeshArguments, UniformizeArguments, InfoArguments>;
+using Arguments =
+    std::variant<TextRequest, RemeshArguments, UniformizeArguments, InfoArguments, SpaceArguments>;
 
 /// The outputs that are asked for, in the order in which they are written.
 std::vector<std::string> outputs_of(const RemeshArguments& arguments);
 std::vector<std::string> outputs_of(const UniformizeArguments& arguments);
 std::vector<std::string> outputs_of(const InfoArguments& arguments);
+std::vector<std::string> outputs_of(const SpaceArguments& arguments);
 
 /// Reads the command line. Throws Failure (ExitStatus::Usage) with a line that names the option and
 /// ends in the hint at --help.

@@ -111,15 +111,7 @@ ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result) {
         arguments.options.ensure_simplicial);
   }
   if (!result.cvt.converged) {
-    const std::string move =
-        result.cvt.max_move.empty()
-            ? ""
-            : fmt::format(" (largest move {:.2g}, tolerance {:.2g})", result.cvt.max_move.back(),
-                          arguments.options.tolerance);
-    say(fmt::format("did not converge in {} iteration{}{}; {}", result.cvt.iterations,
-                    result.cvt.iterations == 1 ? "" : "s", move,
-                    "the sites are written as they are, --iterations allows more"),
-        arguments.convergence_asked);
+    say(not_converged(result.cvt, arguments.options.tolerance), arguments.convergence_asked);
   }
   return status;
 }

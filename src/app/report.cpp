@@ -1,6 +1,7 @@
 #include "app/report.h"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -93,6 +94,47 @@ void add_remesh_report(Json& report, const RemeshResult& result) {
                  {"sites_added", result.report.sites_added}};
   remesh.update(quality_report(result.report.quality));
   report["remesh"] = std::move(remesh);
+}
+
+void add_space_report(Json& report, const std::string& domain, const SpaceResult& result,
+                      bool uniform_density) {
+  const Domain& space = result.domain;
+  const bool closed =
+      space.kind != DomainKind::PlanePolygon && space.kind != DomainKind::HyperbolicPolygon;
+  report["space"] = {{"domain", domain},
+                     {"kappa", space.kappa},
+                     {"area", space.area},
+                     {"genus", closed ? Json(space.genus) : Json()}};
+  report["cvt"] = cvt_report(result.cvt);
+  Json& energies = report["cvt"]["paper_energy"] = Json::object();
+  energies[space.kappa > 0 ? "F_S_min" : space.kappa < 0 ? "F_H" : "F_E"] = result.paper_energy;
+  if (space.kappa > 0) {
+    std::vector<double> largest = result.paper_energy;
+    std::transform(largest.begin(), largest.end(), largest.begin(), std::negate<>());
+    energies["F_S_max"] = largest;
+  }
+  report["energy_over_hexagonal"] = uniform_density ? Json(energy_over_hexagonal(result)) : Json();
+  report["initial_uniformity"] = uniformity_report(result.initial_uniformity);
+  report["uniformity"] = uniformity_report(result.uniformity);
+  report["quadrature_error"] = result.quadrature_error;
+}
+
+double energy_over_hexagonal(const SpaceResult& result) {
+  constexpr double hexagon = 5 / (18 * std::numbers::sqrt3);  // of area 1
+  const double area = result.domain.area, sites = static_cast<double>(result.cvt.sites);
+  return result.cvt.energy.back() / (hexagon * area * area / sites);
+}
+
+std::string not_converged(const CvtReport& cvt, double tolerance) {
+  const std::string move =
+      cvt.max_move.empty()
+          ? ""
+          : fmt::format(" (largest move {:.2g}, tolerance {:.2g})", cvt.max_move.back(), tolerance);
+  return fmt::format(
+      "did not converge in {} iteration{}{}; the sites are written as they are, --iterations "
+      "allows "
+      "more",
+      cvt.iterations, cvt.iterations == 1 ? "" : "s", move);
 }
 
 void add_run_report(Json& report, std::chrono::steady_clock::time_point start) {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ucvt/remesh.h"
+#include "ucvt/spaces.h"
 
 namespace ucvt {
 
@@ -24,6 +25,10 @@ Json uniformization_report(const UniformizationReport& report);
 
 /// `cvt`, `uniformity`, `surface` and `remesh` of a result, put into a report.
 void add_remesh_report(Json& report, const RemeshResult& result);
+
+/// `space`, `cvt`, `uniformity` and their like of a tessellation of a space, put into a report.
+void add_space_report(Json& report, const std::string& domain, const SpaceResult& result,
+                      bool uniform_density);
 
 Json quality_report(const MeshQuality& quality);
 
@@ -41,6 +46,12 @@ std::int64_t genus_of(const MeshSurvey& counts);
 
 /// Threads that a computation uses when it is asked for this many (0: all cores).
 int threads_used(int asked);
+
+/// The final energy over that of as many regular hexagons of the same total area in the plane.
+double energy_over_hexagonal(const SpaceResult& result);
+
+/// What is to be said about sites that did not converge.
+std::string not_converged(const CvtReport& cvt, double tolerance);
 
 double seconds_since(std::chrono::steady_clock::time_point start);
 std::int64_t peak_memory_bytes();

@@ -223,14 +223,21 @@ const std::vector<double>& MetricSolver::angle_sums() {
 }
 
 bool MetricSolver::newton_direction(std::vector<double>& direction) {
+  // All vertices are unknowns, those not solved for without a tie to others: the system keeps its
+  // size and order when vertices are held or let go.
+  const auto size = static_cast<std::int32_t>(u_.size());
   std::vector<std::int32_t> number(u_.size(), -1);
-  std::int32_t unknowns = 0;
-  for (std::size_t v = 0; v < u_.size(); ++v) {
-    if (role_[v] == VertexRole::Solved) {
-      number[v] = unknowns++;
+  std::vector<double> right(u_.size());
+  SymmetricEntries entries(size);
+  for (std::int32_t v = 0; v < size; ++v) {
+    const auto i = static_cast<std::size_t>(v);
+    if (role_[i] == VertexRole::Solved) {
+      number[i] = v;
+      right[i] = -gradient_[i];
+    } else {
+      entries.add(v, v, 1);
     }
   }
-  SymmetricEntries entries(unknowns);
   FaceAngles a;
   for (std::size_t f = 0; f < t_.connectivity.face_count(); ++f) {
     const Face face{static_cast<std::int32_t>(f)};
@@ -249,24 +256,14 @@ bool MetricSolver::newton_direction(std::vector<double>& direction) {
       entries.add(p, q, half_cot * (a.t2[i] - 1) * (p == q ? 2 : 1));
     }
   }
-  std::vector<double> right(static_cast<std::size_t>(unknowns));
-  for (std::size_t v = 0; v < u_.size(); ++v) {
-    if (number[v] >= 0) {
-      right[static_cast<std::size_t>(number[v])] = -gradient_[v];
-    }
-  }
-  std::vector<double> solution;
   // Only on the sphere is the energy not convex.
-  if (!solve_symmetric(entries, right, solution, space_.kappa <= 0)) {
-    return false;
-  }
-  direction.assign(u_.size(), 0);
+  const bool solved = space_.kappa <= 0 ? linear_.solve_positive_definite(entries, right, direction)
+                                        : linear_.solve(entries, right, direction);
+  // The factors of a matrix with other vertices held leave a trace of them.
   for (std::size_t v = 0; v < u_.size(); ++v) {
-    if (number[v] >= 0) {
-      direction[v] = solution[static_cast<std::size_t>(number[v])];
-    }
+    direction[v] = number[v] >= 0 ? direction[v] : 0;
   }
-  return true;
+  return solved;
 }
 
 double MetricSolver::slope(const std::vector<double>& direction) const {

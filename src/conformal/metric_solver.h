@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "conformal/intrinsic_triangulation.h"
+#include "conformal/sparse_solver.h"
 #include "space/offset.h"
 
 namespace ucvt {
@@ -84,6 +85,7 @@ class MetricSolver {
   double pin_ = 0;
   std::vector<Vertex> pinned_;  ///< by the last evaluation
   bool link_is_simple_ = true;
+  SymmetricSolver linear_;
 };
 
 }  // namespace ucvt

@@ -26,9 +26,8 @@ constexpr double steepest_edge = 0.5;
 constexpr int max_refinements = 2;
 constexpr double ignored_share = 1e-3;
 
-/// The same mesh with its faces along a space-filling curve: cells then read T in runs instead of
-/// all over memory.
-TriangleMesh with_faces_in_spatial_order(const TriangleMesh& mesh) {
+/// The mesh's faces along a space-filling curve: cells then read T in runs instead of all over memory.
+std::vector<std::int32_t> spatial_order(const TriangleMesh& mesh) {
   std::vector<Position> centroids;
   centroids.reserve(mesh.faces.size());
   for (const Corners& face : mesh.faces) {
@@ -40,10 +39,9 @@ TriangleMesh with_faces_in_spatial_order(const TriangleMesh& mesh) {
     }
     centroids.push_back(centroid);
   }
-  TriangleMesh out{mesh.positions, {}};
-  out.faces.reserve(mesh.faces.size());
+  std::vector<std::int32_t> out;
   for (const std::size_t f : hilbert_order(centroids)) {
-    out.faces.push_back(mesh.faces[f]);
+    out.push_back(static_cast<std::int32_t>(f));
   }
   return out;
 }
@@ -167,7 +165,11 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
     return !cancelled;
   };
   // `flat` is the surface before any Ptolemy flip: the place to refine it.
-  TriangleMesh input = with_faces_in_spatial_order(surface.mesh);
+  std::vector<std::int32_t> input_face = spatial_order(surface.mesh);
+  TriangleMesh input{surface.mesh.positions, {}};
+  for (const std::int32_t f : input_face) {
+    input.faces.push_back(surface.mesh.faces[static_cast<std::size_t>(f)]);
+  }
   IntrinsicTriangulation flat = intrinsic_triangulation(input), t;
   make_euclidean_delaunay(flat);
   const bool refining = options.longest_edge > 0;
@@ -206,8 +208,8 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
   report.log_scale_min = *low, report.log_scale_max = *high;
   certify(uniform, area, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {std::move(input),       std::move(t),       std::move(solution.u),
-          std::move(vertex_area), std::move(uniform), report};
+  return {std::move(input),   std::move(t), std::move(solution.u), std::move(vertex_area),
+          std::move(uniform), report,       std::move(input_face)};
 }
 
 std::vector<Position> positions_on_input(const Uniformized& t,

@@ -17,6 +17,7 @@ struct Uniformized {
   std::vector<double> vertex_area_3d;  ///< a third of the input area round every vertex
   UniformSurface surface;              ///< T
   UniformizationReport report;
+  std::vector<std::int32_t> input_face;  ///< number in the closed surface of each face of `input`
 };
 
 /// The work behind the public `uniformize`.

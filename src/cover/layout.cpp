@@ -1,5 +1,9 @@
 #include "cover/layout.h"
 
+#include <cstdlib>
+
+#include "ucvt/error.h"
+
 namespace ucvt {
 
 std::vector<std::array<Offset, 3>> fundamental_domain(const UniformSurface& t, Face root) {
@@ -24,6 +28,52 @@ std::vector<std::array<Offset, 3>> fundamental_domain(const UniformSurface& t, F
     }
   }
   return out;
+}
+
+std::vector<DeckMap> laid_out(const UniformSurface& t, const DeckSystem& s) {
+  const auto corner = corner_maps(s.kappa, s.cut.rim, s.loop);
+  std::vector<DeckMap> out;
+  for (std::size_t i = 0; i < t.connectivity().halfedge_count(); ++i) {
+    const Vertex v = t.connectivity().origin({static_cast<std::int32_t>(i)});
+    const auto letters = static_cast<std::size_t>(s.cut.letters_before[i]);
+    out.push_back(product(s.kappa, corner[letters], s.frame[v.index()]));
+  }
+  return out;
+}
+
+DeckMap across_cut(const UniformSurface& t, const DeckSystem& s, Halfedge h) {
+  // The end of the edge as the twin's face knows it goes to where the face of h knows it.
+  const auto corner = corner_maps(s.kappa, s.cut.rim, s.loop);
+  const auto at = [&](Halfedge k) {
+    return corner[static_cast<std::size_t>(s.cut.letters_before[k.index()])];
+  };
+  return product(s.kappa, at(h), inverse(at(t.connectivity().twin(h).next())));
+}
+
+std::array<double, 2> coordinates_of(double kappa, const DeckMap& m, CoverCoordinates c) {
+  const auto pair = [](const PreciseComplex& p, const DoubleDouble& by) {
+    return std::array<double, 2>{(p.re / by).value(), (p.im / by).value()};
+  };
+  const PreciseComplex twice = DoubleDouble{2} * (m.a * m.b);
+  const DoubleDouble z = norm2(m.a) - DoubleDouble{kappa} * norm2(m.b);
+  const bool plane = c == CoverCoordinates::Plane;
+  if (kappa == 0 ? !plane && c != CoverCoordinates::Klein : plane) {
+    throw InvalidInput(kappa == 0
+                           ? "a torus is laid out in the plane; ask for plane coordinates"
+                           : "a hyperbolic surface does not lie in the plane; ask for Klein, "
+                             "Poincare or half-plane coordinates");
+  }
+  switch (c) {
+    case CoverCoordinates::Poincare:
+      return pair(m.a * m.b, norm2(m.a));
+    case CoverCoordinates::HalfPlane: {
+      // i (1 + w)/(1 - w), multiplied out: its height keeps its digits however near the rim w is.
+      const PreciseComplex gap = conj(m.a) + DoubleDouble{-1} * m.b;
+      return pair({-twice.im, 1}, norm2(gap));
+    }
+    default:
+      return pair(twice, z);
+  }
 }
 
 }  // namespace ucvt

@@ -107,10 +107,11 @@ class SpaceCvt {
     const auto n = options_.initial_sites.empty()
                        ? static_cast<std::size_t>(std::max(options_.sites, 0))
                        : options_.initial_sites.size();
+    const int given = options_.initial_sites.empty() ? options_.sites : static_cast<int>(n);
     const std::size_t least = domain_.kind == DomainKind::Sphere ? 2 : 1;
     if (n < least) {
       throw InvalidInput(fmt::format(
-          "{} sites are too few: {}; ask for at least {}", n,
+          "{} sites are too few: {}; ask for at least {}", given,
           n == 1 ? "the whole sphere has no centroid" : "there is nothing to place", least));
     }
     for (std::size_t i = 0; i < options_.initial_sites.size(); ++i) {
@@ -183,7 +184,9 @@ class SpaceCvt {
         target[i] = steps[i].target;
       }
       cvt.energy.push_back(energy);
-      out.paper_energy.push_back(energy / 2 - space_.kappa * mass);
+      // 1 - cos d and cosh d - 1 are half of chord^2; in the plane the paper has d^2 itself.
+      const double kappa = space_.kappa;
+      out.paper_energy.push_back(energy / (1 + kappa * kappa) - kappa * mass);
       out.quadrature_error = error;
       cvt.converged = max_move <= options_.tolerance;
       if (cvt.converged || cvt.iterations >= options_.iterations) {

@@ -55,7 +55,7 @@ Stars::Stars(const DelaunayTriangulation& d) {
 }
 
 void SurfaceCells::settle(Lift& lift) const {
-  const Space s = t_.space();
+  const Space s = t_->space();
   for (std::size_t step = 0; step <= lifts_.size() + stars_.site_count(); ++step) {
     if (lift.at.h < stars_.inner_h(lift.owner)) {
       return;
@@ -80,8 +80,8 @@ void SurfaceCells::settle(Lift& lift) const {
 
 SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation& d,
                            const std::vector<Place>& places)
-    : t_(t), stars_(d), lifts_(t.connectivity().vertex_count()) {
-  CellWalk walk(t_);
+    : t_(&t), stars_(d), lifts_(t.connectivity().vertex_count()) {
+  CellWalk walk(t);
   std::vector<Offset> neighbours;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vertex site{static_cast<std::int32_t>(i)};
@@ -89,7 +89,7 @@ SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation&
     neighbours.assign(offsets.begin(), offsets.end());
     for (const auto& face : walk.faces(places[i], neighbours)) {
       for (std::size_t k = 0; k < 3; ++k) {
-        Lift& lift = lifts_[t_.connectivity().origin(halfedges(face.place.face)[k]).index()];
+        Lift& lift = lifts_[t.connectivity().origin(halfedges(face.place.face)[k]).index()];
         if (face.outside[k] == 0 || lift.owner.id < 0) {
           lift = {face.place.corner[k], site};
         }
@@ -101,7 +101,7 @@ SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation&
 
 void SurfaceCells::follow(const DelaunayTriangulation& d, std::span<const Offset> reached) {
   stars_ = Stars(d);
-  const Space s = t_.space();
+  const Space s = t_->space();
   tbb::parallel_for(std::size_t{0}, lifts_.size(), [&](std::size_t v) {
     Lift& lift = lifts_[v];
     lift.at = on_quadric(s, transvect_back(s, reached[lift.owner.index()], lift.at));
@@ -114,8 +114,8 @@ class SurfaceCells::Sweep {
  public:
   Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places)
       : cells_(cells),
-        t_(cells.t_),
-        space_(cells.t_.space()),
+        t_(*cells.t_),
+        space_(cells.t_->space()),
         mass_(mass),
         places_(places),
         slot_(places.size(), -1) {}
@@ -355,7 +355,7 @@ class SurfaceCells::Sweep {
 
 std::vector<Moments> SurfaceCells::moments(const SurfaceMass& mass,
                                            const std::vector<Place>& places) const {
-  const std::size_t faces = t_.connectivity().face_count();
+  const std::size_t faces = t_->connectivity().face_count();
   const std::size_t chunks = (faces + chunk_size - 1) / chunk_size;
   std::vector<std::vector<Share>> shares(chunks);
   tbb::enumerable_thread_specific<Sweep> sweeps([&] { return Sweep(*this, mass, places); });

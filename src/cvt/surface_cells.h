@@ -74,7 +74,7 @@ class SurfaceCells {
   /// Hands the vertex on to nearer neighbours until there is none.
   void settle(Lift& lift) const;
 
-  const UniformSurface& t_;
+  const UniformSurface* t_;
   Stars stars_;
   std::vector<Lift> lifts_;
 };

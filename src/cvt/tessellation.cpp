@@ -122,29 +122,49 @@ double Tessellation::spacing(Vertex site) const {
   return sum / n;
 }
 
-LloydResult lloyd(Tessellation& sites, const LloydOptions& options, const Monitor& monitor) {
-  LloydResult out;
-  const Space space = sites.delaunay().space();
-  std::vector<Offset> target(sites.site_count());
-  for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    const std::vector<Moments> moments = sites.cell_moments();
-    double energy = 0, max_move = 0;
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-      energy += 2 * moments[i].h;
-      target[i] = centroid(space, moments[i]);
-      max_move = std::max(
-          max_move, std::sqrt(2 * target[i].h) / sites.spacing({static_cast<std::int32_t>(i)}));
-    }
-    out.energy.push_back(energy);
-    out.max_move.push_back(max_move);
-    sites.move(target);
-    out.cancelled = monitor && !monitor({"optimize", iteration + 1, max_move});
-    out.converged = max_move <= options.tolerance;
-    if (out.cancelled || out.converged) {
-      break;
-    }
+void Tessellation::measure(std::vector<CellState>& out) const {
+  const std::vector<Moments> moments = cell_moments();
+  out.resize(moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    out[i] = {moments[i], spacing({static_cast<std::int32_t>(i)})};
   }
-  return out;
+}
+
+void Tessellation::save() {
+  if (!saved_) {
+    saved_.emplace(Saved{places_, d_, cells_});
+    return;
+  }
+  saved_->places = places_;
+  saved_->d = d_;
+  saved_->cells = cells_;
+}
+
+void Tessellation::restore() {
+  places_ = saved_->places;
+  d_ = saved_->d;
+  cells_ = saved_->cells;
+}
+
+void Tessellation::split_edges(const std::vector<Halfedge>& edges) {
+  struct Middle {
+    Vertex from;
+    Offset at;
+  };
+  std::vector<Middle> middles;
+  const Space s = d_.space();
+  for (const Halfedge h : edges) {
+    const Offset& to = d_.offset(h);
+    const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
+    const double r = std::hypot(to.x, to.y);
+    middles.push_back({d_.connectivity().origin(h), from_chord(s, half, to.x / r, to.y / r)});
+  }
+  for (const Middle& m : middles) {
+    places_.push_back(places_[m.from.index()]);
+    move_place(mass_.surface(), places_.back(), m.at);
+    d_.insert(m.from, {m.at, {}});
+  }
+  cells_.follow(d_, std::vector<Offset>(places_.size()));
 }
 
 }  // namespace ucvt

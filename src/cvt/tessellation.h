@@ -1,8 +1,10 @@
-// Sites on a surface with a density, their Voronoi cells, and Lloyd's method.
+// Sites on a surface with a density, and their Voronoi cells.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "cvt/optimize.h"
 #include "cvt/surface_cells.h"
 #include "triangulation/delaunay.h"
 #include "ucvt/uniformize.h"
@@ -11,7 +13,7 @@ namespace ucvt {
 
 /// Sites on T with their Delaunay triangulation D. Site i is vertex i of D; its frame there and in
 /// its place on T is one and the same.
-class Tessellation {
+class Tessellation : public SiteSystem {
  public:
   /// Builds D from T by inserting the sites and removing T's vertices. Keeps a reference to the
   /// mass. Requires at least one site, four on the sphere. Throws InvalidInput when two sites
@@ -19,7 +21,8 @@ class Tessellation {
   Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites);
 
   [[nodiscard]] const DelaunayTriangulation& delaunay() const { return d_; }
-  [[nodiscard]] std::size_t site_count() const { return places_.size(); }
+  [[nodiscard]] Space space() const override { return d_.space(); }
+  [[nodiscard]] std::size_t site_count() const override { return places_.size(); }
   [[nodiscard]] const Place& place(Vertex site) const { return places_[site.index()]; }
   [[nodiscard]] std::vector<SurfacePoint> sites() const;
 
@@ -30,33 +33,31 @@ class Tessellation {
   }
   [[nodiscard]] std::vector<Moments> cell_moments() const { return cell_moments(mass_); }
 
-  /// Moves site i to target[i] in its own frame, all of them, and restores Delaunay.
-  void move(const std::vector<Offset>& target);
+  void measure(std::vector<CellState>& out) const override;
+  /// Moves the sites and restores Delaunay.
+  void move(const std::vector<Offset>& target) override;
+  void save() override;
+  void restore() override;
+
+  /// Adds sites at the middles of edges of D, one of each edge's halfedges being given. The sites
+  /// before keep their numbers.
+  void split_edges(const std::vector<Halfedge>& edges);
 
   /// Mean chord from a site to its neighbours in D.
   [[nodiscard]] double spacing(Vertex site) const;
 
  private:
+  struct Saved {
+    std::vector<Place> places;
+    DelaunayTriangulation d;
+    SurfaceCells cells;
+  };
+
   const SurfaceMass& mass_;
   std::vector<Place> places_;  // filled while d_ is built
   DelaunayTriangulation d_;
   SurfaceCells cells_;
+  std::optional<Saved> saved_;
 };
-
-struct LloydOptions {
-  int iterations = 1000;    ///< at most
-  double tolerance = 1e-4;  ///< of the largest move relative to the site's spacing
-};
-
-struct LloydResult {
-  bool converged = false;
-  bool cancelled = false;
-  std::vector<double> energy;    ///< sum over cells of int rho chord^2, before each iteration
-  std::vector<double> max_move;  ///< relative to the spacing, of each iteration
-};
-
-/// Lloyd's method: moves every site to its cell's centroid until the largest move is below the
-/// tolerance. The energy never rises. A cancelled run stops after a whole iteration.
-LloydResult lloyd(Tessellation& sites, const LloydOptions& options, const Monitor& monitor);
 
 }  // namespace ucvt

@@ -14,6 +14,7 @@
 #include "cvt/initial_sites.h"
 #include "cvt/tessellation.h"
 #include "cvt/uniformity.h"
+#include "result/cell_complex.h"
 #include "result/density.h"
 #include "result/dual_mesh.h"
 #include "ucvt/error.h"
@@ -31,6 +32,11 @@ constexpr int max_rounds = 40, round_iterations = 30;
 /// Edges of the shortest loop in a simplicial complex; cells shrink by at least `least_shrink` a
 /// round where there is no room for it, and grow back by at most `growth` per unit of distance.
 constexpr double shortest_loop = 3, least_shrink = 0.8, growth = 0.7;
+
+/// A multilevel start: sites of its coarsest level, evaluations and tolerance of each level.
+constexpr std::int64_t least_coarse = 32, most_coarse = 160;
+constexpr int level_evaluations = 80;
+constexpr double level_tolerance = 1e-3;
 
 /// Draws of random initial sites before giving up.
 constexpr int max_draws = 200;
@@ -68,27 +74,28 @@ std::vector<SurfacePoint> as_points(const std::vector<Site>& sites, std::size_t 
   return out;
 }
 
-std::vector<SurfacePoint> initial_sites(const Uniformized& t, const RemeshOptions& options) {
-  if (!options.initial_sites.empty()) {
-    return as_points(options.initial_sites, t.surface.connectivity().face_count());
+/// The levels of a multilevel start: splitting all edges takes n - chi sites, chi the Euler number,
+/// to four times as many.
+struct LevelPlan {
+  int coarsest = 0, levels = 0;
+};
+
+LevelPlan plan_levels(int sites, std::int64_t euler_number) {
+  LevelPlan best{sites, 0};
+  std::int64_t least_excess = INT64_MAX;
+  const std::int64_t wanted = sites - euler_number;
+  std::int64_t factor = 4;
+  for (int levels = 1; factor < wanted; ++levels, factor *= 4) {
+    const std::int64_t coarsest = (wanted + factor - 1) / factor + euler_number;
+    if (coarsest < least_coarse || (coarsest > most_coarse && levels > 1)) {
+      continue;
+    }
+    const std::int64_t excess = factor * (coarsest - euler_number) - wanted;
+    if (best.levels == 0 || best.coarsest > most_coarse || excess < least_excess) {
+      best = {static_cast<int>(coarsest), levels}, least_excess = excess;
+    }
   }
-  const auto n = static_cast<std::size_t>(options.sites);
-  if (options.init == InitialSites::Random) {
-    return random_sites(t.surface, t.vertex_area_3d, n, options.seed);
-  }
-  const Connectivity& c = t.surface.connectivity();
-  if (n > c.vertex_count()) {
-    throw InvalidInput(
-        fmt::format("farthest-point sites are vertices of the refined surface, "
-                    "which has {}; start from random sites",
-                    c.vertex_count()));
-  }
-  std::vector<double> length;
-  length.reserve(t.intrinsic.log_length.size());
-  for (const double l : t.intrinsic.log_length) {
-    length.push_back(std::exp(l));
-  }
-  return farthest_sites(t.surface, length, n, options.seed);
+  return best;
 }
 
 std::vector<double> initial_size(const RemeshOptions& options, std::size_t vertices) {
@@ -131,16 +138,16 @@ class Remesher {
   RemeshResult run() {
     place_initial_sites();
     const std::size_t asked = sites_->site_count();
-    optimize(options_.iterations);
+    optimize(options_.iterations, options_.tolerance);
     for (int round = 0; options_.ensure_simplicial && round < max_rounds && make_room(); ++round) {
-      optimize(std::min(round_iterations, options_.iterations));
+      optimize(std::min(round_iterations, options_.iterations), options_.tolerance);
       if (edges_not_simplicial(sites_->delaunay()).empty()) {
-        optimize(options_.iterations);
+        optimize(options_.iterations, options_.tolerance);
       }
     }
     const auto added = static_cast<std::int64_t>(sites_->site_count() - asked);
+    cvt_.method = options_.method == Method::Lloyd ? "lloyd" : "lbfgs";
     cvt_.sites = static_cast<std::int64_t>(sites_->site_count());
-    cvt_.iterations = static_cast<int>(cvt_.energy.size());
     return collect(added);
   }
 
@@ -151,32 +158,106 @@ class Remesher {
     return std::abs(sites_->delaunay().area() - wanted) < 1e-6 * wanted;
   }
 
+  void place_initial_sites() {
+    const bool given = !options_.initial_sites.empty();
+    if (!given && options_.init == InitialSites::Multilevel) {
+      place_level_by_level();
+    } else if (!given && options_.init == InitialSites::Random) {
+      place_random_sites(options_.sites);
+    } else {
+      place(given ? as_points(options_.initial_sites, t_.surface.connectivity().face_count())
+                  : far_apart_sites());
+    }
+  }
+
+  void place(const std::vector<SurfacePoint>& sites) {
+    sites_ = std::make_unique<Tessellation>(*mass_, sites);
+    if (!covers_surface()) {
+      throw NumericalError("the initial sites lie in one hemisphere");
+    }
+  }
+
   /// Few random sites on a sphere may all lie in one hemisphere, where no Delaunay triangulation by
   /// geodesic triangles exists; the next random numbers do better.
-  void place_initial_sites() {
-    RemeshOptions options = options_;
-    const bool redraw = options.init == InitialSites::Random && options.initial_sites.empty();
-    for (int tries = redraw ? max_draws : 1;; --tries) {
+  void place_random_sites(int n) {
+    std::uint64_t seed = options_.seed;
+    for (int tries = max_draws;; --tries) {
       try {
-        sites_ = std::make_unique<Tessellation>(*mass_, initial_sites(t_, options));
-        if (covers_surface()) {
-          return;
-        }
-        throw NumericalError("the initial sites lie in one hemisphere");
+        place(random_sites(t_.surface, t_.vertex_area_3d, static_cast<std::size_t>(n), seed));
+        return;
       } catch (const NumericalError&) {
         if (tries <= 1) {
           throw;
         }
-        options.seed = options.seed * 6364136223846793005u + 1442695040888963407u;
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
       }
     }
   }
 
-  void optimize(int iterations) {
-    const LloydOptions lloyd_options{iterations, options_.tolerance};
+  [[nodiscard]] std::vector<SurfacePoint> far_apart_sites() const {
+    const auto n = static_cast<std::size_t>(options_.sites);
+    if (n > t_.surface.connectivity().vertex_count()) {
+      throw InvalidInput(
+          fmt::format("farthest-point sites are vertices of the refined surface, "
+                      "which has {}; start from random sites",
+                      t_.surface.connectivity().vertex_count()));
+    }
+    std::vector<double> length;
+    length.reserve(t_.intrinsic.log_length.size());
+    for (const double l : t_.intrinsic.log_length) {
+      length.push_back(std::exp(l));
+    }
+    return farthest_sites(t_.surface, length, n, options_.seed);
+  }
+
+  /// A small CVT from random sites, then from level to level sites at the middles of all edges of D,
+  /// as many as lead to the number asked for: its few defects are all there are in the end.
+  void place_level_by_level() {
+    const LevelPlan plan = plan_levels(options_.sites, t_.surface.connectivity().euler_number());
+    place_random_sites(plan.coarsest);
+    for (int level = 0; level < plan.levels; ++level) {
+      relax();
+      std::vector<Halfedge> edges = edges_by_length();
+      const auto room = static_cast<std::size_t>(options_.sites) - sites_->site_count();
+      edges.resize(std::min(edges.size(), room));
+      sites_->split_edges(edges);
+    }
+  }
+
+  /// D's edges, those longest for their surroundings first.
+  [[nodiscard]] std::vector<Halfedge> edges_by_length() const {
+    const DelaunayTriangulation& d = sites_->delaunay();
+    std::vector<std::pair<double, Halfedge>> edges;
+    for (std::size_t i = 0; i < d.connectivity().halfedge_count(); ++i) {
+      const Halfedge h{static_cast<std::int32_t>(i)};
+      if (d.connectivity().is_canonical(h)) {
+        const double around =
+            sites_->spacing(d.connectivity().origin(h)) + sites_->spacing(d.connectivity().head(h));
+        edges.emplace_back(-std::sqrt(2 * d.offset(h).h) / around, h);
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<Halfedge> out;
+    for (const auto& [length, h] : edges) {
+      out.push_back(h);
+    }
+    return out;
+  }
+
+  /// Optimizes a level of the initial state; its steps are not counted.
+  void relax() {
+    const OptimizeOptions options{options_.method, level_evaluations, level_tolerance};
+    if (ucvt::optimize(*sites_, options, options_.monitor).cancelled) {
+      throw Cancelled("interrupted; no output was written");
+    }
+  }
+
+  void optimize(int evaluations, double tolerance) {
     const auto start = std::chrono::steady_clock::now();
-    auto result = lloyd(*sites_, lloyd_options, options_.monitor);
+    const OptimizeOptions options{options_.method, evaluations, tolerance};
+    const OptimizeResult result = ucvt::optimize(*sites_, options, options_.monitor);
     cvt_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    cvt_.iterations += result.evaluations;
     cvt_.energy.insert(cvt_.energy.end(), result.energy.begin(), result.energy.end());
     cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin(), result.max_move.end());
     cvt_.converged = result.converged;
@@ -246,6 +327,7 @@ class Remesher {
     r.simplicial = edges_not_simplicial(d).empty();
     r.sites_added = added;
     r.quality = measure_quality(out.mesh);
+    out.cells = cell_complex(*sites_);
     return out;
   }
 

@@ -75,8 +75,9 @@ TEST(RemeshCommand, ReportSaysWhatWasDone) {
   EXPECT_EQ(report["threads"], 2);
   EXPECT_EQ(report["uniformization"]["geometry"], "euclidean");
   EXPECT_EQ(report["cvt"]["converged"], true);
-  EXPECT_EQ(report["cvt"]["energy"].size(), report["cvt"]["iterations"]);
-  EXPECT_EQ(report["cvt"]["max_move"].size(), report["cvt"]["iterations"]);
+  EXPECT_GT(report["cvt"]["iterations"], 0);
+  EXPECT_LE(report["cvt"]["energy"].size(), report["cvt"]["iterations"].get<std::size_t>() + 1);
+  EXPECT_EQ(report["cvt"]["max_move"].size(), report["cvt"]["energy"].size());
   EXPECT_EQ(report["remesh"]["vertices"], 100);
   EXPECT_EQ(report["remesh"]["genus"], 1);
   EXPECT_GT(report["peak_memory_bytes"], 1000000);
@@ -120,12 +121,11 @@ TEST(RemeshCommand, InitStartsWhereSitesEnded) {
                                "--tolerance", "2e-2", "--report", second_report});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const nlohmann::json second = read_json(second_report);
-  EXPECT_EQ(second["cvt"]["iterations"], 1);
+  EXPECT_EQ(second["cvt"]["iterations"], 0);
   EXPECT_EQ(second["remesh"]["vertices"], 100);
   const double before = first["cvt"]["energy"].back(), after = second["cvt"]["energy"][0];
-  EXPECT_GT(first["cvt"]["energy"][0], 1.05 * before);  // so that near means something
-  EXPECT_LE(after, before);
-  EXPECT_NEAR(after, before, 1e-3 * before);
+  EXPECT_GT(first["cvt"]["energy"][0], (1 + 1e-6) * before);  // so that near means something
+  EXPECT_NEAR(after, before, 1e-9 * before);
 
   const Outcome other = run({"remesh", input, "-n", "99", "--tolerance", "0.01", "-o",
                              folder.file("3.off"), "--init", sites});

@@ -32,10 +32,8 @@ double total_mass(const SurfaceMass& mass) {
   return sum;
 }
 
-LloydOptions at_most(int iterations, double tolerance) {
-  LloydOptions options;
-  options.iterations = iterations, options.tolerance = tolerance;
-  return options;
+OptimizeOptions lloyd(int evaluations, double tolerance) {
+  return {Method::Lloyd, evaluations, tolerance};
 }
 
 class CellsTest : public testing::TestWithParam<double> {
@@ -131,7 +129,7 @@ TEST_P(CellsTest, BytesDoNotDependOnThreads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
     Tessellation sites(bumpy, oracle::random_points(t, 50, 4));
-    lloyd(sites, at_most(10, 0), {});
+    optimize(sites, lloyd(10, 0), {});
     for (const Moments& m : sites.cell_moments()) {
       bytes[threads - 1].insert(bytes[threads - 1].end(), {m.m, m.x, m.y, m.h});
     }
@@ -142,8 +140,8 @@ TEST_P(CellsTest, BytesDoNotDependOnThreads) {
 TEST_P(CellsTest, EnergyNeverRisesUnderLloyd) {
   for (const SurfaceMass* mass : {&uniform, &bumpy}) {
     Tessellation sites(*mass, oracle::random_points(t, 30, 5));
-    const LloydResult result = lloyd(sites, at_most(50, 0), {});
-    ASSERT_EQ(result.energy.size(), 50U);
+    const OptimizeResult result = optimize(sites, lloyd(50, 0), {});
+    ASSERT_EQ(result.energy.size(), 51U);
     for (std::size_t i = 1; i < result.energy.size(); ++i) {
       EXPECT_LE(result.energy[i], result.energy[i - 1] * (1 + 1e-12)) << i;
     }
@@ -173,7 +171,7 @@ TEST_P(CellsTest, TheGradientIsMinusTwiceTheFirstMoments) {
 
 TEST_P(CellsTest, LloydConvergesStopsAndCancels) {
   Tessellation sites(uniform, oracle::random_points(t, 14, 7));
-  const LloydResult done = lloyd(sites, at_most(5000, 1e-5), {});
+  const OptimizeResult done = optimize(sites, lloyd(5000, 1e-5), {});
   EXPECT_TRUE(done.converged);
   EXPECT_LE(done.max_move.back(), 1e-5);
   const auto moments = sites.cell_moments();
@@ -181,8 +179,8 @@ TEST_P(CellsTest, LloydConvergesStopsAndCancels) {
     EXPECT_LT(std::hypot(m.x, m.y), 1e-4 * m.m);
   }
   int calls = 0;
-  const LloydResult stopped =
-      lloyd(sites, at_most(50, 0), [&](const Progress&) { return ++calls < 3; });
+  const OptimizeResult stopped =
+      optimize(sites, lloyd(50, 0), [&](const Progress&) { return ++calls < 3; });
   EXPECT_TRUE(stopped.cancelled);
   EXPECT_EQ(stopped.energy.size(), 3U);
 }
@@ -212,7 +210,7 @@ TEST(FewSites, CellsThatTouchThemselvesKeepTheMass) {
   for (const std::size_t n : {1, 2, 3}) {
     Tessellation sites(mass, oracle::random_points(t, n, n));
     EXPECT_NEAR(sum_of(sites.cell_moments(), &Moments::m), 1, 1e-12);
-    lloyd(sites, at_most(20, 0), {});
+    optimize(sites, lloyd(20, 0), {});
     EXPECT_NEAR(sum_of(sites.cell_moments(), &Moments::m), 1, 1e-12);
     EXPECT_NEAR(sites.delaunay().area(), 1, 1e-12);
   }

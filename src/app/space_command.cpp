@@ -1,0 +1,174 @@
+#include "app/space_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/outputs.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/signals.h"
+
+namespace ucvt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double bytes_per_megabyte = 1e6;
+
+/// What a message is about: the domain, by its file where it has one.
+std::string subject(const SpaceArguments& arguments) {
+  return arguments.domain ? arguments.command : input_name(arguments.domain_text);
+}
+
+Domain domain_of(const SpaceArguments& arguments) {
+  if (arguments.domain) {
+    return *arguments.domain;
+  }
+  return about_file(subject(arguments), [&] {
+    const double kappa = arguments.command == "hyperbolic" ? -1 : 0;
+    return polygon_domain(kappa, read_polygon(arguments.domain_text));
+  });
+}
+
+bool needs_cells(const SpaceArguments& arguments) {
+  return !arguments.output.empty() || !arguments.cells.empty() || !arguments.csv.empty() ||
+         !arguments.figure.empty() || !arguments.plot_uniformity.empty();
+}
+
+/// The options of the library, with the sites of --init in them.
+SpaceOptions options_of(const SpaceArguments& arguments, const Domain& domain) {
+  SpaceOptions options = arguments.options;
+  options.keep_cells = needs_cells(arguments);
+  if (arguments.init_file.empty()) {
+    return options;
+  }
+  const std::string name = input_name(arguments.init_file);
+  options.initial_sites =
+      about_file(name, [&] { return read_space_sites(arguments.init_file, domain); });
+  const std::size_t found = options.initial_sites.size();
+  if (arguments.sites_given && found != static_cast<std::size_t>(options.sites)) {
+    throw Failure(ExitStatus::Usage,
+                  fmt::format("{}: there are {} sites, but -n asks for {}; leave -n out", name,
+                              found, options.sites));
+  }
+  return options;
+}
+
+std::string summary(const SpaceArguments& arguments, const SpaceResult& result,
+                    Clock::time_point start) {
+  const CvtReport& cvt = result.cvt;
+  const UniformityReport& u = result.uniformity;
+  const auto cv = [](const UniformityReport& r) {
+    return fmt::format("radius {:.4f}, nearest {:.4f}, area {:.4f}", r.radius.cv, r.nearest.cv,
+                       r.area.cv);
+  };
+  const std::string energy = fmt::format("{:.6g}", cvt.energy.back());
+  return aligned_lines({
+      {"space", arguments.domain_text == arguments.command
+                    ? arguments.command
+                    : fmt::format("{} {}", arguments.command, arguments.domain_text)},
+      {"area", fmt::format("{:.6g}", result.domain.area)},
+      {"sites", fmt::format("{}", cvt.sites)},
+      {"iterations", fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
+      {"energy",
+       arguments.options.density.empty()
+           ? fmt::format("{} ({:.4f} of regular hexagons)", energy, energy_over_hexagonal(result))
+           : energy},
+      {"hexagons", fmt::format("{:.2f} % of the cells", 100 * u.hexagons)},
+      {"cv", cv(u)},
+      {"cv at start", cv(result.initial_uniformity)},
+      {"time", fmt::format("{:.2f} s", seconds_since(start))},
+      {"peak memory",
+       fmt::format("{:.0f} MB", static_cast<double>(peak_memory_bytes()) / bytes_per_megabyte)},
+  });
+}
+
+Json report_of(const SpaceArguments& arguments, const SpaceResult& result,
+               Clock::time_point start) {
+  Json report;
+  add_space_report(report, arguments.domain_text, result, arguments.options.density.empty());
+  add_run_report(report, start);
+  report["seed"] = arguments.options.seed;
+  report["threads"] = threads_used(arguments.options.threads);
+  return report;
+}
+
+void write_outputs(const SpaceArguments& arguments, const SpaceResult& result,
+                   Clock::time_point start) {
+  // What can be refused is made before the first file is written.
+  std::optional<TriangleMesh> mesh;
+  std::string figure;
+  about_file(subject(arguments), [&] {
+    if (!arguments.output.empty()) {
+      mesh = delaunay_mesh(result, arguments.coordinates);
+    }
+    if (!arguments.figure.empty()) {
+      figure = space_picture(result, arguments.picture);
+    }
+  });
+  const auto write = [](const std::string& path, const auto& work) {
+    if (!path.empty()) {
+      about_file(output_name(path), work);
+    }
+  };
+  const auto write_as_text = [&](const std::string& path, const auto& text) {
+    write(path, [&] { write_text(path, text()); });
+  };
+  write(arguments.output, [&] { write_mesh(arguments.output, *mesh); });
+  write(arguments.cells, [&] { write_cells(arguments.cells, result, arguments.coordinates); });
+  write(arguments.csv, [&] { write_cell_table(arguments.csv, result); });
+  write(arguments.sites, [&] { write_space_sites(arguments.sites, result); });
+  write_as_text(arguments.figure, [&] { return figure; });
+  write_as_text(arguments.plot_energy, [&] { return line_plot(energy_plot(result)); });
+  write_as_text(arguments.plot_uniformity, [&] { return line_plot(uniformity_plot(result)); });
+  write_as_text(arguments.shared.report,
+                [&] { return report_text(report_of(arguments, result, start)); });
+}
+
+/// What the result is not, said on stderr; whether the run counts as finished.
+ExitStatus judge(const SpaceArguments& arguments, const SpaceResult& result) {
+  const std::string name = subject(arguments);
+  if (result.quadrature_error > arguments.options.quadrature && !arguments.shared.quiet) {
+    print_line_to_stderr(
+        fmt::format("{}: integrals of the density have relative errors up to {:.2g}; a density "
+                    "without jumps, or --quadrature, avoids that",
+                    name, result.quadrature_error));
+  }
+  const bool failed = !result.cvt.converged && arguments.convergence_asked;
+  if (!result.cvt.converged && (failed || !arguments.shared.quiet)) {
+    print_line_to_stderr(name + ": " + not_converged(result.cvt, arguments.options.tolerance));
+  }
+  return failed ? ExitStatus::NotFinished : ExitStatus::Done;
+}
+
+}  // namespace
+
+ExitStatus run_space(const SpaceArguments& arguments) {
+  const auto start = Clock::now();
+  const std::vector<std::string> outputs = outputs_of(arguments);
+  check_writable(outputs);
+  catch_signals();
+  const Domain domain = domain_of(arguments);
+  SpaceOptions options = options_of(arguments, domain);
+  begin_computation();
+  ProgressLine progress(arguments.shared);
+  options.monitor = progress.monitor();
+  const SpaceResult result =
+      about_file(subject(arguments), [&] { return tessellate(domain, options); });
+  progress.clear();
+  if (interrupted()) {
+    throw interruption();
+  }
+  write_outputs(arguments, result, start);
+  const ExitStatus status = judge(arguments, result);
+  const bool stdout_taken = std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
+  if (!arguments.shared.quiet && !stdout_taken) {
+    print_results(summary(arguments, result, start));
+  }
+  return status;
+}
+
+}  // namespace ucvt

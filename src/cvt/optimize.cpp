@@ -1,0 +1,198 @@
+#include "cvt/optimize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace ucvt {
+namespace {
+
+constexpr std::size_t memory = 7;
+
+/// Armijo's constant, halvings before Lloyd's step takes over, and the longest step of a site
+/// relative to its spacing.
+constexpr double sufficient_decrease = 1e-4;
+constexpr int max_halvings = 4;
+constexpr double longest_step = 0.5;
+
+/// Relative rounding of an energy: smaller differences tell nothing.
+constexpr double energy_rounding = 1e-14;
+
+struct Vector2 {
+  double x = 0, y = 0;
+};
+using Vectors = std::vector<Vector2>;
+
+double dot(const Vectors& a, const Vectors& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += a[i].x * b[i].x + a[i].y * b[i].y;
+  }
+  return sum;
+}
+
+void add(Vectors& a, double factor, const Vectors& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i].x += factor * b[i].x, a[i].y += factor * b[i].y;
+  }
+}
+
+/// Energy, gradient and Lloyd's step, all in the sites' frames; steps are central coordinates.
+struct Evaluation {
+  double energy = 0, max_move = 0;
+  Vectors gradient, lloyd;
+  std::vector<double> inverse_hessian, spacing;
+};
+
+class Optimizer {
+ public:
+  Optimizer(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor)
+      : sites_(sites), options_(options), monitor_(monitor), space_(sites.space()) {}
+
+  OptimizeResult run() {
+    Evaluation now = evaluate();
+    out_.evaluations = 0;
+    while (true) {
+      out_.energy.push_back(now.energy);
+      out_.max_move.push_back(now.max_move);
+      out_.converged = now.max_move <= options_.tolerance;
+      if (out_.converged || out_.evaluations >= options_.evaluations) {
+        break;
+      }
+      now = options_.method == Method::Lloyd ? lloyd_step(now) : lbfgs_step(std::move(now));
+      out_.cancelled =
+          monitor_ && !monitor_({"optimize", static_cast<int>(out_.energy.size()), now.max_move});
+      if (out_.cancelled) {
+        break;
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  struct Pair {
+    Vectors step, change;
+    double curvature = 0;  ///< step . change
+  };
+
+  Evaluation evaluate() {
+    ++out_.evaluations;
+    sites_.measure(cells_);
+    const std::size_t n = cells_.size();
+    Evaluation e;
+    e.gradient.resize(n), e.lloyd.resize(n), e.inverse_hessian.resize(n), e.spacing.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Moments& m = cells_[i].moments;
+      e.energy += 2 * m.h;
+      e.gradient[i] = {-2 * m.x, -2 * m.y};
+      e.spacing[i] = cells_[i].spacing;
+      const double scale = m.m - space_.kappa * m.h;
+      if (!(scale > 0)) {
+        continue;  // no mass: nowhere to go
+      }
+      e.inverse_hessian[i] = 1 / (2 * scale);
+      e.lloyd[i] = {m.x / scale, m.y / scale};
+      const double chord = std::sqrt(2 * at(e.lloyd[i]).h);
+      e.max_move = std::max(e.max_move, chord / e.spacing[i]);
+    }
+    return e;
+  }
+
+  [[nodiscard]] Offset at(const Vector2& step) const {
+    return from_central(space_, step.x, step.y);
+  }
+
+  void move(const Vectors& step, double factor) {
+    target_.resize(step.size());
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      target_[i] = at({factor * step[i].x, factor * step[i].y});
+    }
+    sites_.move(target_);
+  }
+
+  Evaluation lloyd_step(const Evaluation& now) {
+    pairs_.clear();
+    move(now.lloyd, 1);
+    return evaluate();
+  }
+
+  /// The L-BFGS direction (two-loop recursion); no site goes farther than a part of its spacing.
+  [[nodiscard]] Vectors direction(const Evaluation& now) const {
+    Vectors d = now.gradient;
+    std::vector<double> along(pairs_.size());
+    for (std::size_t k = pairs_.size(); k-- > 0;) {
+      along[k] = dot(pairs_[k].step, d) / pairs_[k].curvature;
+      add(d, -along[k], pairs_[k].change);
+    }
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      d[i].x *= -now.inverse_hessian[i], d[i].y *= -now.inverse_hessian[i];
+    }
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      const double back = dot(pairs_[k].change, d) / pairs_[k].curvature;
+      add(d, -along[k] - back, pairs_[k].step);
+    }
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      const double length = std::hypot(d[i].x, d[i].y), most = longest_step * now.spacing[i];
+      if (length > most) {
+        d[i].x *= most / length, d[i].y *= most / length;
+      }
+    }
+    return d;
+  }
+
+  void remember(const Vectors& step, double factor, const Evaluation& from, const Evaluation& to) {
+    Pair pair{step, to.gradient, 0};
+    for (Vector2& s : pair.step) {
+      s.x *= factor, s.y *= factor;
+    }
+    add(pair.change, -1, from.gradient);
+    pair.curvature = dot(pair.step, pair.change);
+    if (pair.curvature > 0) {
+      pairs_.push_back(std::move(pair));
+      if (pairs_.size() > memory) {
+        pairs_.pop_front();
+      }
+    }
+  }
+
+  Evaluation lbfgs_step(Evaluation now) {
+    const Vectors d = direction(now);
+    const double slope = dot(d, now.gradient);
+    if (slope < 0) {
+      sites_.save();
+      double factor = 1;
+      for (int k = 0; k <= max_halvings && out_.evaluations < options_.evaluations; ++k) {
+        move(d, factor);
+        Evaluation next = evaluate();
+        const double rounding = energy_rounding * std::abs(now.energy);
+        if (next.energy <= now.energy + sufficient_decrease * factor * slope + rounding) {
+          remember(d, factor, now, next);
+          return next;
+        }
+        sites_.restore();
+        factor /= 2;
+      }
+    }
+    if (out_.evaluations >= options_.evaluations) {
+      return now;
+    }
+    return lloyd_step(now);
+  }
+
+  SiteSystem& sites_;
+  const OptimizeOptions& options_;
+  const Monitor& monitor_;
+  Space space_;
+  std::vector<CellState> cells_;
+  std::vector<Offset> target_;
+  std::deque<Pair> pairs_;
+  OptimizeResult out_;
+};
+
+}  // namespace
+
+OptimizeResult optimize(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor) {
+  return Optimizer(sites, options, monitor).run();
+}
+
+}  // namespace ucvt

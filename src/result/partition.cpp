@@ -1,0 +1,235 @@
+#include "ucvt/partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "conformal/overlay.h"
+#include "conformal/uniformize.h"
+#include "mesh/disjoint_sets.h"
+#include "result/cell_complex.h"
+#include "result/cell_curves.h"
+#include "result/colouring.h"
+#include "result/polygon_triangles.h"
+#include "ucvt/error.h"
+
+namespace ucvt {
+namespace {
+
+/// Margins to try: see cell_curves. Most surfaces need the first only.
+constexpr double margins[] = {1e-9, 1e-7, 1e-5, 1e-3};
+
+std::size_t index(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+Overlay overlay_of(const Uniformized& t, const CellComplex& cells) {
+  const Connectivity& c = t.surface.connectivity();
+  for (const double margin : margins) {
+    try {
+      Overlay out(c, cell_curves(t, cells.delaunay, cells.places, margin));
+      if (out.is_embedded(c.euler_number())) {
+        return out;
+      }
+    } catch (const NumericalError&) {
+      if (margin == std::end(margins)[-1]) {
+        throw;
+      }
+    }
+  }
+  throw NumericalError("the boundaries of the cells do not fit together to rounding");
+}
+
+/// Gathers the faces of the cut surface, input face by input face.
+class Cutter {
+ public:
+  Cutter(const Uniformized& t, std::size_t cells, Overlay& overlay)
+      : t_(t), overlay_(overlay), number_(overlay.node_count(), -1), area_(cells) {
+    out_.mesh.positions = t.input.positions;
+    out_.vertex_cell.assign(t.input.positions.size(), -1);
+    out_.face_cell.assign(t.input.faces.size(), -1);
+  }
+
+  Partition run() {
+    DisjointSets together(t_.input.positions.size());
+    std::vector<Overlay::Region> regions;
+    for (std::size_t f = 0; f < t_.input.faces.size(); ++f) {
+      overlay_.regions_of({static_cast<std::int32_t>(f)}, regions);
+      for (const Overlay::Region& region : regions) {
+        label_corners(region, together);
+      }
+      add_face(f, regions);
+    }
+    name_whole_faces(together);
+    for (std::size_t f = 0; f < out_.mesh.faces.size(); ++f) {
+      area_[index(out_.cell[f])] += area(out_.mesh.faces[f]);
+    }
+    return std::move(out_);
+  }
+
+  [[nodiscard]] const std::vector<double>& areas() const { return area_; }
+
+ private:
+  [[nodiscard]] bool is_vertex(Node n) const { return n.index() < out_.vertex_cell.size(); }
+
+  void label_corners(const Overlay::Region& region, DisjointSets& together) {
+    std::int32_t first = -1;
+    for (const Overlay::Corner& c : region.corners) {
+      if (!is_vertex(c.node)) {
+        continue;
+      }
+      if (region.label >= 0) {
+        out_.vertex_cell[c.node.index()] = region.label;
+      }
+      if (first >= 0) {
+        together.join(first, c.node.id);
+      }
+      first = c.node.id;
+    }
+  }
+
+  [[nodiscard]] Position place(std::size_t f, const std::array<double, 3>& bary) const {
+    Position out{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        out[k] += bary[i] * t_.input.positions[index(t_.input.faces[f][i])][k];
+      }
+    }
+    return out;
+  }
+
+  std::int32_t add_vertex(const Position& p) {
+    out_.mesh.positions.push_back(p);
+    return static_cast<std::int32_t>(out_.mesh.positions.size() - 1);
+  }
+
+  std::int32_t vertex(std::size_t f, const Overlay::Corner& c) {
+    if (is_vertex(c.node)) {
+      return c.node.id;
+    }
+    std::int32_t& n = number_[c.node.index()];
+    return n >= 0 ? n : n = add_vertex(place(f, c.bary));
+  }
+
+  [[nodiscard]] double area(const Corners& f) const {
+    const auto at = [&](std::size_t i) -> const Position& {
+      return out_.mesh.positions[index(f[i])];
+    };
+    const Position &a = at(0), &b = at(1), &c = at(2);
+    const double x = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+    const double y = (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]);
+    const double z = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    return std::hypot(x, y, z) / 2;
+  }
+
+  void add_face(std::size_t f, const std::vector<Overlay::Region>& regions) {
+    std::map<std::int32_t, double> share;
+    for (const Overlay::Region& region : regions) {
+      // A region between two edges is flat: they are one edge of the cut surface.
+      if (region.corners.size() < 3) {
+        continue;
+      }
+      polygon_.clear(), numbers_.clear();
+      for (const Overlay::Corner& c : region.corners) {
+        polygon_.push_back(c.bary);
+        numbers_.push_back(vertex(f, c));
+      }
+      const PolygonTriangles cut = triangulate_polygon(polygon_);
+      for (const auto& bary : cut.added) {
+        numbers_.push_back(add_vertex(place(f, bary)));
+      }
+      for (const Corners& t : cut.triangles) {
+        const Corners face{numbers_[index(t[0])], numbers_[index(t[1])], numbers_[index(t[2])]};
+        out_.mesh.faces.push_back(face);
+        out_.cell.push_back(region.label);
+        out_.input_face.push_back(t_.input_face[f]);
+        share[region.label] += area(face);
+      }
+    }
+    const auto largest =
+        std::max_element(share.begin(), share.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    out_.face_cell[index(t_.input_face[f])] = largest->first;
+  }
+
+  /// A face that no boundary crosses lies in the cell of its corners, one of which has a name.
+  void name_whole_faces(DisjointSets& together) {
+    std::vector<std::int32_t> name(out_.vertex_cell.size(), -1);
+    for (std::size_t v = 0; v < name.size(); ++v) {
+      if (out_.vertex_cell[v] >= 0) {
+        name[index(together.find(static_cast<std::int32_t>(v)))] = out_.vertex_cell[v];
+      }
+    }
+    for (std::size_t v = 0; v < name.size(); ++v) {
+      out_.vertex_cell[v] = name[index(together.find(static_cast<std::int32_t>(v)))];
+    }
+    for (std::size_t f = 0; f < out_.cell.size(); ++f) {
+      if (out_.cell[f] < 0) {
+        out_.cell[f] = out_.vertex_cell[index(out_.mesh.faces[f][0])];
+        out_.face_cell[index(out_.input_face[f])] = out_.cell[f];
+      }
+    }
+  }
+
+  const Uniformized& t_;
+  Overlay& overlay_;
+  std::vector<std::int32_t> number_;  // by node: its vertex in the cut surface, or -1
+  std::vector<double> area_;          // by cell
+  Partition out_;
+  std::vector<std::array<double, 3>> polygon_;
+  std::vector<std::int32_t> numbers_;
+};
+
+/// The cell's measures that D knows.
+PartitionCell measure_cell(const DelaunayTriangulation& d, Vertex site) {
+  const Connectivity& c = d.connectivity();
+  const Space s = d.space();
+  PartitionCell out;
+  std::vector<Offset> corner;
+  out.nearest = HUGE_VAL;
+  c.for_outgoing(site, [&](Halfedge h) {
+    const Central k = circumcentre(d.offset(h), d.offset(c.rotate(h)));
+    corner.push_back(from_central(s, k.x, k.y));
+    out.radius = std::max(out.radius, length_of_chord(s, std::sqrt(2 * corner.back().h)));
+    out.nearest = std::min(out.nearest, length_of_chord(s, std::sqrt(2 * d.offset(h).h)));
+    ++out.degree;
+    if (c.head(h) != site) {
+      out.neighbours.push_back(c.head(h).id);
+    }
+  });
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    out.area += central_triangle_area(s, corner[i], corner[(i + 1) % corner.size()]);
+  }
+  std::sort(out.neighbours.begin(), out.neighbours.end());
+  out.neighbours.erase(std::unique(out.neighbours.begin(), out.neighbours.end()),
+                       out.neighbours.end());
+  return out;
+}
+
+}  // namespace
+
+Partition partition(const RemeshResult& result) {
+  const Uniformized& t = result.surface.value();
+  const CellComplex& complex = *result.cells;
+  Overlay overlay = overlay_of(t, complex);
+  overlay.undo(t.intrinsic.log,
+               static_cast<std::size_t>(t.intrinsic.euclidean_flips + t.intrinsic.splits));
+  Cutter cutter(t, complex.places.size(), overlay);
+  Partition out = cutter.run();
+  std::vector<std::vector<std::int32_t>> neighbours;
+  for (std::size_t i = 0; i < complex.places.size(); ++i) {
+    out.cells.push_back(measure_cell(complex.delaunay, {static_cast<std::int32_t>(i)}));
+    out.cells[i].site = result.mesh.positions[i];
+    out.cells[i].area_3d = cutter.areas()[i];
+    neighbours.push_back(out.cells[i].neighbours);
+  }
+  const std::vector<std::int32_t> colour = colour_graph(neighbours);
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    out.cells[i].colour = colour[i];
+    out.colours = std::max(out.colours, colour[i] + 1);
+  }
+  return out;
+}
+
+}  // namespace ucvt

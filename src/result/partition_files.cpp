@@ -1,0 +1,97 @@
+// Writers of partition.h: PLY and CSV.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "mesh/output_file.h"
+#include "ucvt/partition.h"
+
+namespace ucvt {
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// Light colours that stay apart in print and for the colour-blind (Tol's "light" scheme).
+constexpr std::array<Rgb, 9> palette{{{119, 170, 221},
+                                      {238, 221, 136},
+                                      {255, 170, 187},
+                                      {68, 187, 153},
+                                      {238, 136, 102},
+                                      {187, 204, 51},
+                                      {153, 221, 255},
+                                      {170, 170, 0},
+                                      {221, 221, 221}}};
+
+template <class T>
+void put(std::string& record, T value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if (std::endian::native == std::endian::big) {
+    std::reverse(raw, raw + sizeof(T));
+  }
+  record.append(raw, sizeof(T));
+}
+
+}  // namespace
+
+void write_partition(const std::string& path, const Partition& p) {
+  OutputFile file(path);
+  file.write(
+      fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+                  "property double y\nproperty double z\nelement face {}\n"
+                  "property list uchar int vertex_indices\nproperty int cell\n"
+                  "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
+                  p.mesh.positions.size(), p.mesh.faces.size()));
+  std::string record;
+  for (const Position& x : p.mesh.positions) {
+    record.clear();
+    for (const double c : x) {
+      put(record, c);
+    }
+    file.write(record);
+  }
+  for (std::size_t f = 0; f < p.mesh.faces.size(); ++f) {
+    record.assign(1, '\3');
+    for (const std::int32_t v : p.mesh.faces[f]) {
+      put(record, v);
+    }
+    put(record, p.cell[f]);
+    const auto cell = static_cast<std::size_t>(p.cell[f]);
+    const auto colour = static_cast<std::size_t>(p.cells[cell].colour);
+    for (const std::uint8_t channel : palette[colour % palette.size()]) {
+      put(record, channel);
+    }
+    file.write(record);
+  }
+  file.commit();
+}
+
+void write_labels(const std::string& path, const Partition& p) {
+  OutputFile file(path);
+  file.write("element,number,cell\n");
+  for (std::size_t v = 0; v < p.vertex_cell.size(); ++v) {
+    file.write(fmt::format("vertex,{},{}\n", v, p.vertex_cell[v]));
+  }
+  for (std::size_t f = 0; f < p.face_cell.size(); ++f) {
+    file.write(fmt::format("face,{},{}\n", f, p.face_cell[f]));
+  }
+  file.commit();
+}
+
+void write_cells(const std::string& path, const Partition& p) {
+  OutputFile file(path);
+  file.write("cell,x,y,z,area_3d,area,radius,nearest,degree,colour,neighbours\n");
+  for (std::size_t i = 0; i < p.cells.size(); ++i) {
+    const PartitionCell& c = p.cells[i];
+    file.write(fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", i, c.site[0], c.site[1], c.site[2],
+                           c.area_3d, c.area, c.radius, c.nearest, c.degree, c.colour,
+                           fmt::join(c.neighbours, " ")));
+  }
+  file.commit();
+}
+
+}  // namespace ucvt

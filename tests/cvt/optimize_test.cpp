@@ -1,0 +1,99 @@
+#include "cvt/optimize.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "cvt/tessellation.h"
+#include "oracle/surfaces.h"
+
+namespace ucvt {
+namespace {
+
+class OptimizeTest : public testing::TestWithParam<double> {
+ protected:
+  const UniformSurface& t = oracle::surface_of(GetParam());
+  const SurfaceMass mass{t, density()};
+
+  [[nodiscard]] std::vector<double> density() const {
+    std::vector<double> out;
+    for (std::size_t v = 0; v < t.connectivity().vertex_count(); ++v) {
+      out.push_back(1.5 + std::sin(0.3 * static_cast<double>(v)));
+    }
+    return out;
+  }
+  [[nodiscard]] Tessellation sites(std::size_t n) const {
+    return {mass, oracle::random_points(t, n, 3)};
+  }
+};
+
+TEST_P(OptimizeTest, LbfgsNeverRaisesTheEnergyAndConverges) {
+  Tessellation s = sites(40);
+  const OptimizeResult out = optimize(s, {Method::Lbfgs, 2000, 1e-7}, {});
+  EXPECT_TRUE(out.converged);
+  EXPECT_LE(out.max_move.back(), 1e-7);
+  for (std::size_t i = 1; i < out.energy.size(); ++i) {
+    EXPECT_LE(out.energy[i], out.energy[i - 1] * (1 + 1e-12)) << i;
+  }
+}
+
+TEST_P(OptimizeTest, FiftyEvaluationsOfLbfgsGoBelowTwoHundredOfLloyd) {
+  Tessellation a = sites(200), b = sites(200);
+  const OptimizeResult lbfgs = optimize(a, {Method::Lbfgs, 50, 0}, {});
+  const OptimizeResult lloyd = optimize(b, {Method::Lloyd, 200, 0}, {});
+  EXPECT_EQ(lbfgs.evaluations, 50);
+  EXPECT_EQ(lloyd.evaluations, 200);
+  EXPECT_LT(lbfgs.energy.back(), lloyd.energy.back());
+}
+
+TEST_P(OptimizeTest, TheFirstStepIsLloyds) {
+  Tessellation a = sites(60), b = sites(60);
+  const OptimizeResult lbfgs = optimize(a, {Method::Lbfgs, 1, 0}, {});
+  const OptimizeResult lloyd = optimize(b, {Method::Lloyd, 1, 0}, {});
+  // Unless Lloyd's own step is longer than L-BFGS lets a site go.
+  EXPECT_NEAR(lbfgs.energy.back() / lloyd.energy.back(), 1, 0.05);
+}
+
+TEST_P(OptimizeTest, SitesGoBackToWhereTheyWereSaved) {
+  Tessellation s = sites(50);
+  const auto before = s.cell_moments();
+  s.save();
+  optimize(s, {Method::Lloyd, 3, 0}, {});
+  s.restore();
+  const auto after = s.cell_moments();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(before[i].m, after[i].m);
+    EXPECT_EQ(before[i].h, after[i].h);
+  }
+}
+
+TEST_P(OptimizeTest, SplittingAllEdgesQuadruplesTheSites) {
+  Tessellation s = sites(30);
+  optimize(s, {Method::Lbfgs, 50, 1e-3}, {});
+  const Connectivity& c = s.delaunay().connectivity();
+  std::vector<Halfedge> edges;
+  for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    if (c.is_canonical(h)) {
+      edges.push_back(h);
+    }
+  }
+  const auto before = s.sites();
+  s.split_edges(edges);
+  EXPECT_EQ(static_cast<std::int64_t>(s.site_count()), 4 * 30 - 3 * c.euler_number());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(s.sites()[i].face, before[i].face);
+  }
+  // What the cells were built up to step by step is what they are from the start.
+  const Tessellation anew(mass, s.sites());
+  const auto got = s.cell_moments(), wanted = anew.cell_moments();
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    EXPECT_NEAR(got[i].m / wanted[i].m, 1, 1e-7) << i;
+    EXPECT_NEAR(got[i].h / wanted[i].h, 1, 1e-6) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Curvatures, OptimizeTest, testing::Values(1.0, 0.0, -1.0));
+
+}  // namespace
+}  // namespace ucvt
