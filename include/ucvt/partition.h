@@ -42,8 +42,9 @@ struct Partition {
 /// or when doubles do not tell the boundaries apart. Source: docs/mapping-back.md.
 Partition partition(const RemeshResult& result);
 
-/// Writes the cut surface as PLY: face properties `cell`, `red`, `green`, `blue` (docs/formats.md).
-/// "-" is standard output. Throws IoError; the file appears whole or not at all, here and below.
+/// Writes the cut surface as PLY: face properties `cell`, `red`, `green`,
+/// `blue` by the cell's colour. "-" is standard output. Throws IoError; the file appears whole or not at
+/// all, here and below.
 void write_partition(const std::string& path, const Partition& p);
 
 /// Writes `element,number,cell` for every vertex and every face of the input as CSV.

@@ -56,12 +56,12 @@ CLI::Option* add_sites(CLI::App& app, int& sites) {
       ->type_name("N");
 }
 
-bool LloydFlags::ask_for_convergence() const {
+bool StopFlags::ask_for_convergence() const {
   return tolerance->count() > 0 && iterations->count() == 0;
 }
 
-LloydFlags add_lloyd(CLI::App& app, int& iterations, double& tolerance) {
-  LloydFlags flags;
+StopFlags add_stop(CLI::App& app, int& iterations, double& tolerance) {
+  StopFlags flags;
   flags.iterations = add_number(
       app, "--iterations", iterations, [](int k) { return k >= 0; }, "a whole number from 0 up",
       fmt::format("stop after K iterations (default {})", iterations));
@@ -72,13 +72,6 @@ LloydFlags add_lloyd(CLI::App& app, int& iterations, double& tolerance) {
       fmt::format("stop when no site moves by more than EPS of its spacing (default {})",
                   tolerance));
   flags.tolerance->type_name("EPS");
-  const auto method = [](const std::string& name) {
-    if (name != "lloyd") {
-      throw CLI::ValidationError("--method", fmt::format("'{}' is no method; give lloyd", name));
-    }
-  };
-  app.add_option_function<std::string>("--method", method, "how sites are moved (default lloyd)")
-      ->type_name("lloyd");
   return flags;
 }
 

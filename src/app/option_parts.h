@@ -47,14 +47,14 @@ void add_threads(CLI::App& app, int& threads);
 void add_seed(CLI::App& app, std::uint64_t& seed);
 CLI::Option* add_sites(CLI::App& app, int& sites);
 
-struct LloydFlags {
+struct StopFlags {
   CLI::Option* iterations = nullptr;
   CLI::Option* tolerance = nullptr;
 
   /// A tolerance was given and no number of iterations.
   [[nodiscard]] bool ask_for_convergence() const;
 };
-LloydFlags add_lloyd(CLI::App& app, int& iterations, double& tolerance);
+StopFlags add_stop(CLI::App& app, int& iterations, double& tolerance);
 
 /// Throws Failure (ExitStatus::Usage) that ends in the hint at the command's --help.
 [[noreturn]] void fail_usage(const std::string& message, const std::string& command);

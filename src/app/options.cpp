@@ -19,13 +19,27 @@ void add_input(CLI::App& app, SharedArguments& shared) {
 
 struct RemeshFlags {
   CLI::Option* sites = nullptr;
-  LloydFlags lloyd;
+  StopFlags stop;
 };
+
+void add_method(CLI::App& app, Method& method) {
+  const auto set = [&method](const std::string& name) {
+    if (name != "lbfgs" && name != "lloyd") {
+      throw CLI::ValidationError("--method",
+                                 fmt::format("'{}' is no method; give lbfgs or lloyd", name));
+    }
+    method = name == "lloyd" ? Method::Lloyd : Method::Lbfgs;
+  };
+  app.add_option_function<std::string>("--method", set, "how sites are moved (default lbfgs)")
+      ->type_name("lbfgs|lloyd");
+}
 
 void add_start(CLI::App& app, RemeshArguments& arguments) {
   const auto init = [&arguments](const std::string& text) {
     arguments.init_file.clear();
-    if (text == "random") {
+    if (text == "multilevel") {
+      arguments.options.init = InitialSites::Multilevel;
+    } else if (text == "random") {
       arguments.options.init = InitialSites::Random;
     } else if (text == "farthest") {
       arguments.options.init = InitialSites::Farthest;
@@ -34,8 +48,8 @@ void add_start(CLI::App& app, RemeshArguments& arguments) {
     }
   };
   app.add_option_function<std::string>(
-         "--init", init, "where the sites start (default random); FILE: as --sites wrote it")
-      ->type_name("random|farthest|FILE");
+         "--init", init, "where the sites start (default multilevel); FILE: as --sites wrote it")
+      ->type_name("multilevel|random|farthest|FILE");
   add_seed(app, arguments.options.seed);
 }
 
@@ -51,7 +65,8 @@ RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
   app.add_option("--sites", arguments.sites, "write the sites on that surface")
       ->type_name("FILE.json");
   add_start(app, arguments);
-  flags.lloyd = add_lloyd(app, arguments.options.iterations, arguments.options.tolerance);
+  flags.stop = add_stop(app, arguments.options.iterations, arguments.options.tolerance);
+  add_method(app, arguments.options.method);
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
   add_threads(app, arguments.options.threads);
@@ -166,7 +181,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   check_not_empty(*app.get_subcommands().front());
   if (remesh_app->parsed()) {
     remesh.sites_given = flags.sites->count() > 0;
-    remesh.convergence_asked = flags.lloyd.ask_for_convergence();
+    remesh.convergence_asked = flags.stop.ask_for_convergence();
     check(remesh);
     return remesh;
   }

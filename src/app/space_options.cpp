@@ -228,8 +228,7 @@ SpaceCommands::Command& SpaceCommands::add(CLI::App& app, const std::string& nam
   arguments.command = name;
   command.sites = add_sites(*command.app, arguments.options.sites);
   add_computation(*command.app, arguments);
-  command.lloyd =
-      add_lloyd(*command.app, arguments.options.iterations, arguments.options.tolerance);
+  command.stop = add_stop(*command.app, arguments.options.iterations, arguments.options.tolerance);
   add_outputs(*command.app, arguments);
   command.figure = add_figure(*command.app, arguments, command.colour);
   add_shared(*command.app, arguments.shared);
@@ -243,7 +242,7 @@ SpaceArguments SpaceCommands::parsed() {
     }
     SpaceArguments& out = command.arguments;
     out.sites_given = command.sites->count() > 0;
-    out.convergence_asked = command.lloyd.ask_for_convergence();
+    out.convergence_asked = command.stop.ask_for_convergence();
     out.picture.fill = command.colour.first;
     out.picture.measure = command.colour.second;
     check(out);

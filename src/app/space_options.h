@@ -28,7 +28,7 @@ class SpaceCommands {
     CLI::App* app = nullptr;
     CLI::Option* sites = nullptr;
     CLI::Option* figure = nullptr;
-    LloydFlags lloyd;
+    StopFlags stop;
     std::pair<Fill, Measure> colour{Fill::DegreeClasses, Measure::Degree};
     SpaceArguments arguments;
   };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <deque>
 
+#include "ucvt/error.h"
+
 namespace ucvt {
 namespace {
 
@@ -162,12 +164,16 @@ class Optimizer {
       sites_.save();
       double factor = 1;
       for (int k = 0; k <= max_halvings && out_.evaluations < options_.evaluations; ++k) {
-        move(d, factor);
-        Evaluation next = evaluate();
-        const double rounding = energy_rounding * std::abs(now.energy);
-        if (next.energy <= now.energy + sufficient_decrease * factor * slope + rounding) {
-          remember(d, factor, now, next);
-          return next;
+        try {
+          move(d, factor);
+          Evaluation next = evaluate();
+          const double rounding = energy_rounding * std::abs(now.energy);
+          if (next.energy <= now.energy + sufficient_decrease * factor * slope + rounding) {
+            remember(d, factor, now, next);
+            return next;
+          }
+        } catch (const NumericalError&) {
+          // Too far for the triangulation to follow; a shorter step may do.
         }
         sites_.restore();
         factor /= 2;

@@ -24,6 +24,9 @@ namespace {
 /// Draws of random initial sites before giving up: few of them on a sphere may lie in one hemisphere.
 constexpr int max_draws = 200;
 
+/// Of a formula, at most: smooth ones take some hundreds, and one that jumps has no end.
+constexpr std::int64_t evaluations_per_cell = 100'000;
+
 /// Spacing of a hexagonal lattice over the circumradius of its cells.
 constexpr double spacing_per_radius = 1.7320508075688772;
 
@@ -32,6 +35,7 @@ class CellMeasure {
  public:
   CellMeasure(const Domain& domain, const SpaceOptions& options) : domain_(domain) {
     cubature_.relative_tolerance = options.quadrature;
+    cubature_.max_evaluations = evaluations_per_cell;
     if (!options.density.empty()) {
       formula_.emplace(options.density, domain.kappa);
       if (formula_->is_constant()) {
@@ -171,6 +175,7 @@ class SpaceCvt {
   void iterate(SpaceResult& out) {
     const auto start = std::chrono::steady_clock::now();
     CvtReport& cvt = out.cvt;
+    cvt.method = "lloyd";
     cvt.sites = static_cast<std::int64_t>(sites_->count());
     std::vector<Step> steps(sites_->count());
     std::vector<Offset> target(steps.size());

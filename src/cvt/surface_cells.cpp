@@ -27,6 +27,9 @@ double half_way(Space s, double h) {
   return h / 2 / (1 + std::sqrt(1 - s.kappa * h / 2));
 }
 
+/// Cells looked at for one face, at most; far more than a face that resolves its density meets.
+constexpr std::size_t most_visits = 5000;
+
 using Triangle = std::array<Offset, 3>;
 
 struct Share {
@@ -240,12 +243,21 @@ class SurfaceCells::Sweep {
     visits_.clear();
     points_.clear();
     visits_.push_back(first_visit(f));
+    bool any_part = false;
     for (std::size_t n = 0; n < visits_.size(); ++n) {
+      if (n == most_visits) {
+        throw NumericalError("the cells that meet a face of the surface do not end");
+      }
       clip(visits_[n]);
       visits_[n].first = points_.size();
       visits_[n].size = polygon_.size() < 3 ? 0 : polygon_.size();
       points_.insert(points_.end(), polygon_.begin(),
                      polygon_.begin() + static_cast<std::ptrdiff_t>(visits_[n].size));
+      // The cells that meet a face hang together: one that does not leads nowhere.
+      any_part = any_part || visits_[n].size > 0;
+      if (any_part && visits_[n].size == 0) {
+        continue;
+      }
       const auto neighbours = cells_.stars_.neighbours(visits_[n].site);
       for (const std::size_t j : cutting_) {
         const Stars::Neighbour& next = neighbours[j];

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <unordered_set>
 
 #include "conformal/overlay.h"
 #include "conformal/uniformize.h"
@@ -58,9 +58,10 @@ class Cutter {
       overlay_.regions_of({static_cast<std::int32_t>(f)}, regions);
       for (const Overlay::Region& region : regions) {
         label_corners(region, together);
+        add_piece(f, region);
       }
-      add_face(f, regions);
     }
+    cut_pieces();
     name_whole_faces(together);
     for (std::size_t f = 0; f < out_.mesh.faces.size(); ++f) {
       area_[index(out_.cell[f])] += area(out_.mesh.faces[f]);
@@ -123,34 +124,90 @@ class Cutter {
     return std::hypot(x, y, z) / 2;
   }
 
-  void add_face(std::size_t f, const std::vector<Overlay::Region>& regions) {
-    std::map<std::int32_t, double> share;
-    for (const Overlay::Region& region : regions) {
-      // A region between two edges is flat: they are one edge of the cut surface.
-      if (region.corners.size() < 3) {
-        continue;
-      }
-      polygon_.clear(), numbers_.clear();
-      for (const Overlay::Corner& c : region.corners) {
-        polygon_.push_back(c.bary);
-        numbers_.push_back(vertex(f, c));
-      }
-      const PolygonTriangles cut = triangulate_polygon(polygon_);
-      for (const auto& bary : cut.added) {
-        numbers_.push_back(add_vertex(place(f, bary)));
-      }
-      for (const Corners& t : cut.triangles) {
-        const Corners face{numbers_[index(t[0])], numbers_[index(t[1])], numbers_[index(t[2])]};
-        out_.mesh.faces.push_back(face);
-        out_.cell.push_back(region.label);
-        out_.input_face.push_back(t_.input_face[f]);
-        share[region.label] += area(face);
+  /// A region as a polygon of the cut surface.
+  struct Piece {
+    std::size_t face;
+    std::int32_t label;
+    std::vector<std::int32_t> vertices;
+    std::vector<std::array<double, 3>> bary;
+  };
+
+  static std::uint64_t edge(std::int32_t a, std::int32_t b) {
+    return std::uint64_t{static_cast<std::uint32_t>(std::min(a, b))} << 32 |
+           static_cast<std::uint32_t>(std::max(a, b));
+  }
+
+  void add_piece(std::size_t f, const Overlay::Region& region) {
+    // A region between two edges is flat: they are one edge of the cut surface.
+    if (region.corners.size() < 3) {
+      return;
+    }
+    Piece& piece = pieces_.emplace_back(Piece{f, region.label, {}, {}});
+    for (const Overlay::Corner& c : region.corners) {
+      piece.bary.push_back(c.bary);
+      piece.vertices.push_back(vertex(f, c));
+    }
+    for (std::size_t n = 0; region.label >= 0 && n < piece.vertices.size(); ++n) {
+      edges_.insert(edge(piece.vertices[n], piece.vertices[(n + 1) % piece.vertices.size()]));
+    }
+  }
+
+  /// True when no diagonal of the triangles is an edge elsewhere; they are edges from now on.
+  bool draw_diagonals(const Piece& piece, const std::vector<Corners>& triangles) {
+    const std::size_t n = piece.vertices.size();
+    std::vector<std::uint64_t> diagonals;
+    for (const Corners& t : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Each diagonal is met twice, once in either direction.
+        const std::size_t a = index(t[k]), b = index(t[(k + 1) % 3]);
+        if (a < b && b < n && b != a + 1 && !(a == 0 && b == n - 1)) {
+          diagonals.push_back(edge(piece.vertices[a], piece.vertices[b]));
+        }
       }
     }
-    const auto largest =
-        std::max_element(share.begin(), share.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    out_.face_cell[index(t_.input_face[f])] = largest->first;
+    for (std::size_t i = 0; i < diagonals.size(); ++i) {
+      if (!edges_.insert(diagonals[i]).second) {
+        for (std::size_t j = 0; j < i; ++j) {
+          edges_.erase(diagonals[j]);
+        }
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void cut(Piece& piece, std::map<std::int32_t, double>& share) {
+    PolygonTriangles cut = triangulate_polygon(piece.bary);
+    if (!draw_diagonals(piece, cut.triangles)) {
+      cut = fan_of_polygon(piece.bary);
+    }
+    for (const auto& bary : cut.added) {
+      piece.vertices.push_back(add_vertex(place(piece.face, bary)));
+    }
+    for (const Corners& t : cut.triangles) {
+      const auto at = [&](std::size_t i) { return piece.vertices[index(t[i])]; };
+      const Corners face{at(0), at(1), at(2)};
+      out_.mesh.faces.push_back(face);
+      out_.cell.push_back(piece.label);
+      out_.input_face.push_back(t_.input_face[piece.face]);
+      share[piece.label] += area(face);
+    }
+  }
+
+  /// The pieces of one face after the other; the largest names it.
+  void cut_pieces() {
+    std::map<std::int32_t, double> share;
+    for (std::size_t n = 0; n < pieces_.size(); ++n) {
+      cut(pieces_[n], share);
+      if (n + 1 < pieces_.size() && pieces_[n + 1].face == pieces_[n].face) {
+        continue;
+      }
+      const auto largest =
+          std::max_element(share.begin(), share.end(),
+                           [](const auto& a, const auto& b) { return a.second < b.second; });
+      out_.face_cell[index(t_.input_face[pieces_[n].face])] = largest->first;
+      share.clear();
+    }
   }
 
   /// A face that no boundary crosses lies in the cell of its corners, one of which has a name.
@@ -177,8 +234,8 @@ class Cutter {
   std::vector<std::int32_t> number_;  // by node: its vertex in the cut surface, or -1
   std::vector<double> area_;          // by cell
   Partition out_;
-  std::vector<std::array<double, 3>> polygon_;
-  std::vector<std::int32_t> numbers_;
+  std::vector<Piece> pieces_;
+  std::unordered_set<std::uint64_t> edges_;  ///< of the pieces that boundaries pass
 };
 
 /// The cell's measures that D knows.

@@ -177,4 +177,18 @@ PolygonTriangles triangulate_polygon(std::span<const Bary> corner) {
   return EarCutter(corner).run();
 }
 
+PolygonTriangles fan_of_polygon(std::span<const Bary> corner) {
+  PolygonTriangles out;
+  const std::size_t n = corner.size();
+  Bary& mean = out.added.emplace_back();
+  for (std::size_t i = 0; i < n; ++i) {
+    out.triangles.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>((i + 1) % n),
+                             static_cast<std::int32_t>(n)});
+    for (std::size_t k = 0; k < 3; ++k) {
+      mean[k] += corner[i][k] / static_cast<double>(n);
+    }
+  }
+  return out;
+}
+
 }  // namespace ucvt

@@ -18,8 +18,10 @@ struct PolygonTriangles {
 ///
 /// Only ears that are not flat and hold no other corner are cut off, the roundest first; where there is
 /// none, or corners fall together, a fan round a new point is made. The triangles therefore always fill
-/// the polygon's round, whatever rounding did to the coordinates, and no diagonal is drawn that a
-/// polygon beside this one could draw as well (Partition.* tests).
+/// the polygon's round, whatever rounding did to the coordinates.
 PolygonTriangles triangulate_polygon(std::span<const std::array<double, 3>> corner);
+
+/// A fan round the mean of the corners.
+PolygonTriangles fan_of_polygon(std::span<const std::array<double, 3>> corner);
 
 }  // namespace ucvt

@@ -76,7 +76,7 @@ void write_polygons(NumberWriter& out, const std::vector<SpaceCell>& cells) {
   out.text("</DataArray>\n");
   std::size_t end = 0;
   write_array(out, cells, "Int64", "offsets",
-              [&](std::size_t i) { return end + cells[i].corners.size(); });
+              [&](std::size_t i) { return end += cells[i].corners.size(); });
   write_array(out, cells, "UInt8", "types", [](std::size_t) { return vtk_polygon; });
   out.text("</Cells>\n");
 }

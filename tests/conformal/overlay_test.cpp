@@ -102,6 +102,58 @@ TEST_P(OverlayTest, NodesLieWhereTheLogPutsPoints) {
   EXPECT_EQ(met, 3 * wanted.size()) << "three regions round each";
 }
 
+/// Distance of a point of a face from the nearest side of the face's regions, in barycentric terms.
+double distance_to_sides(const std::vector<Overlay::Region>& regions,
+                         const std::array<double, 3>& p) {
+  double least = HUGE_VAL;
+  for (const auto& region : regions) {
+    for (std::size_t n = 0; n < region.corners.size(); ++n) {
+      const auto &a = region.corners[n].bary,
+                 &b = region.corners[(n + 1) % region.corners.size()].bary;
+      double along = 0, length2 = 0, distance2 = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        along += (p[k] - a[k]) * (b[k] - a[k]), length2 += (b[k] - a[k]) * (b[k] - a[k]);
+      }
+      const double s = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double d = a[k] + s * (b[k] - a[k]) - p[k];
+        distance2 += d * d;
+      }
+      least = std::min(least, std::sqrt(distance2));
+    }
+  }
+  return least;
+}
+
+TEST_P(OverlayTest, CurvesPassWhereTheLogPutsTheirPoints) {
+  const Uniformized t =
+      uniformize_surface(oracle::closed(GetParam().mesh), {GetParam().longest_edge, {}});
+  const CurveNetwork network = dual_network(t);
+  std::vector<HomogeneousPoint> on_curves;
+  for (const Curve& curve : network.curves) {
+    const Halfedge h = curve.crossings[0].side;
+    for (const double s : {0.3, 0.6, 1.0}) {
+      HomogeneousPoint p = network.nodes[h.face().index()];
+      for (double& w : p.weight) {
+        w *= 1 - s;
+      }
+      p.weight[static_cast<std::size_t>(h.id % 3)] += s * curve.crossings[0].at_origin;
+      p.weight[static_cast<std::size_t>(h.next().id % 3)] += s * curve.crossings[0].at_head;
+      on_curves.push_back(p);
+    }
+  }
+  t.intrinsic.log.undo(on_curves);
+  Overlay overlay(t.surface.connectivity(), network);
+  overlay.undo(t.intrinsic.log, euclidean_changes(t));
+  std::vector<std::vector<Overlay::Region>> regions(t.input.faces.size());
+  for (std::size_t f = 0; f < regions.size(); ++f) {
+    overlay.regions_of({static_cast<std::int32_t>(f)}, regions[f]);
+  }
+  for (const HomogeneousPoint& p : on_curves) {
+    EXPECT_LT(distance_to_sides(regions[p.face.index()], p.weight), 1e-10);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Meshes, OverlayTest,
     testing::Values(Case{"sphere", oracle::icosphere(2), 0}, Case{"cube", oracle::cube(), 0.2},
