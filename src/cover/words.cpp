@@ -44,7 +44,8 @@ WordReducer::WordReducer(const Word& relator) : length_(relator.size()) {
 }
 
 std::size_t WordReducer::slot(std::int32_t letter) const {
-  return static_cast<std::size_t>(letter + static_cast<std::int32_t>(length_ / 2));
+  const auto half = static_cast<std::int64_t>(length_ / 2);
+  return static_cast<std::size_t>(half + letter);
 }
 
 bool WordReducer::shorten_once(Word& w) const {

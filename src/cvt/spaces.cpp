@@ -23,6 +23,7 @@ namespace {
 
 /// Draws of random initial sites before giving up: few of them on a sphere may lie in one hemisphere.
 constexpr int max_draws = 200;
+constexpr std::size_t most_redrawn = 50;
 
 /// Of a formula, at most: smooth ones take some hundreds, and one that jumps has no end.
 constexpr std::int64_t evaluations_per_cell = 100'000;
@@ -132,7 +133,9 @@ class SpaceCvt {
       return;
     }
     std::uint64_t seed = options_.seed;
-    for (int tries = max_draws;; --tries) {
+    // Only few random sites on a sphere lie in one hemisphere, and only then other ones do better.
+    const bool redraw = domain_.kind == DomainKind::Sphere && n <= most_redrawn;
+    for (int tries = redraw ? max_draws : 1;; --tries) {
       try {
         std::vector<ModelPoint> points = random_points(domain_, n, seed);
         sort_along_curve(points);
