@@ -19,8 +19,9 @@ extern const char* const version_line;
 /// A number written in decimal; CLI11 would read 010 as eight.
 template <typename Number>
 bool parse_decimal(std::string_view text, Number& value) {
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const char* const first = text.data();  // NOLINT(bugprone-suspicious-stringview-data-usage)
+  const char* const end = first + text.size();
+  const auto [stop, error] = std::from_chars(first, end, value);
   return error == std::errc() && stop == end;
 }
 

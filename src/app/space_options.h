@@ -19,6 +19,7 @@ class SpaceCommands {
   explicit SpaceCommands(CLI::App& app);
   SpaceCommands(const SpaceCommands&) = delete;
   SpaceCommands& operator=(const SpaceCommands&) = delete;
+  ~SpaceCommands() = default;
 
   /// The command that was given. Requires that one was. Throws Failure when its options do not fit.
   SpaceArguments parsed();

@@ -36,6 +36,8 @@ class SymmetricEntries {
 class SymmetricSolver {
  public:
   SymmetricSolver();
+  SymmetricSolver(const SymmetricSolver&) = delete;
+  SymmetricSolver& operator=(const SymmetricSolver&) = delete;
   ~SymmetricSolver();
 
   /// Solves a positive definite system to a relative residual of 1e-6, or directly. Returns false

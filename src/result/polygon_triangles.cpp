@@ -150,7 +150,7 @@ class EarCutter {
   }
 
   /// Joins a round to a new point, the mean of some others.
-  void fan(std::span<const std::size_t> round, std::vector<std::size_t> about) {
+  void fan(std::span<const std::size_t> round, const std::vector<std::size_t>& about) {
     const std::size_t centre = corner_.size() + out_.added.size();
     Bary mean{};
     for (const std::size_t i : about) {
