@@ -20,6 +20,10 @@ namespace ucvt {
 /// the plane's own coordinates.
 enum class CoverCoordinates : char { Klein, Poincare, HalfPlane, Plane };
 
+/// Throws InvalidInput unless surfaces of this genus have a deck group, and a layout in these
+/// coordinates.
+void require_coordinates(int genus, CoverCoordinates coordinates);
+
 struct DeckGenerator {
   std::string name;                ///< "a1", "b1", "a2", ...
   std::vector<std::int32_t> word;  ///< in the greedy loops, letters +-(i + 1)

@@ -47,8 +47,10 @@ Partition partition(const RemeshResult& result);
 /// all, here and below.
 void write_partition(const std::string& path, const Partition& p);
 
-/// Writes `element,number,cell` for every vertex and every face of the input as CSV.
-void write_labels(const std::string& path, const Partition& p);
+/// Writes `element,number,cell` for every vertex and every face of the input as CSV. Vertices are
+/// numbered by `input_vertex`, that of the ClosedSurface.
+void write_labels(const std::string& path, const Partition& p,
+                  const std::vector<std::int32_t>& input_vertex);
 
 /// Writes the cells' measures as CSV.
 void write_cells(const std::string& path, const Partition& p);

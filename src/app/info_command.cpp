@@ -43,7 +43,7 @@ std::string lines_of(const Findings& found) {
   const MeshSurvey& s = found.counts;
   const MeshQuality& q = found.quality;
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
-  return aligned_lines({
+  return aligned({
       {"vertices", count(s.vertices)},
       {"edges", count(s.edges)},
       {"faces", count(s.faces)},

@@ -8,6 +8,7 @@
 #include "app/info_command.h"
 #include "app/options.h"
 #include "app/outputs.h"
+#include "app/partition_command.h"
 #include "app/remesh_command.h"
 #include "app/signals.h"
 #include "app/space_command.h"
@@ -23,6 +24,9 @@ struct CommandRunner {
     return ExitStatus::Done;
   }
   ExitStatus operator()(const RemeshArguments& arguments) const { return run_remesh(arguments); }
+  ExitStatus operator()(const PartitionArguments& arguments) const {
+    return run_partition(arguments);
+  }
   ExitStatus operator()(const UniformizeArguments& arguments) const {
     return run_uniformize(arguments);
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -40,6 +41,27 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, Number& target,
     return true;
   };
   return app.add_option(name, read, description);
+}
+
+/// Adds an option that takes one of a few words.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target,
+                        const std::vector<std::pair<std::string, Value>>& choices,
+                        const std::string& description) {
+  std::string words;
+  for (const auto& choice : choices) {
+    words += (words.empty() ? "" : "|") + choice.first;
+  }
+  const auto read = [name, &target, choices, words](const std::string& text) {
+    for (const auto& [word, value] : choices) {
+      if (word == text) {
+        target = value;
+        return;
+      }
+    }
+    throw CLI::ValidationError(name, fmt::format("'{}' is none of {}", text, words));
+  };
+  return app.add_option_function<std::string>(name, read, description)->type_name(words);
 }
 
 /// --report, --quiet, --verbose, --version.

@@ -22,16 +22,10 @@ struct RemeshFlags {
   StopFlags stop;
 };
 
-void add_method(CLI::App& app, Method& method) {
-  const auto set = [&method](const std::string& name) {
-    if (name != "lbfgs" && name != "lloyd") {
-      throw CLI::ValidationError("--method",
-                                 fmt::format("'{}' is no method; give lbfgs or lloyd", name));
-    }
-    method = name == "lloyd" ? Method::Lloyd : Method::Lbfgs;
-  };
-  app.add_option_function<std::string>("--method", set, "how sites are moved (default lbfgs)")
-      ->type_name("lbfgs|lloyd");
+void add_ply_output(CLI::App& app, std::string& output) {
+  app.add_option("-o", output, "PLY to write; - writes standard output")
+      ->required()
+      ->type_name("OUT.ply");
 }
 
 void add_start(CLI::App& app, RemeshArguments& arguments) {
@@ -53,49 +47,94 @@ void add_start(CLI::App& app, RemeshArguments& arguments) {
   add_seed(app, arguments.options.seed);
 }
 
-RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
+void take(const RemeshFlags& flags, RemeshArguments& arguments) {
+  arguments.sites_given = flags.sites->count() > 0;
+  arguments.convergence_asked = flags.stop.ask_for_convergence();
+}
+
+/// What remesh and partition have in common, but the output.
+RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments) {
   RemeshFlags flags;
   add_input(app, arguments.shared);
   flags.sites = add_sites(app, arguments.options.sites);
-  app.add_option("-o", arguments.output, "mesh to write; - writes OFF to standard output")
-      ->required()
-      ->type_name("OUT.{obj,off,ply,stl}");
   app.add_option("--surface", arguments.surface, "write the uniformized surface as it was used")
       ->type_name("FILE.ply");
   app.add_option("--sites", arguments.sites, "write the sites on that surface")
       ->type_name("FILE.json");
   add_start(app, arguments);
   flags.stop = add_stop(app, arguments.options.iterations, arguments.options.tolerance);
-  add_method(app, arguments.options.method);
+  add_choice<Method>(app, "--method", arguments.options.method,
+                     {{"lbfgs", Method::Lbfgs}, {"lloyd", Method::Lloyd}},
+                     "how sites are moved (default lbfgs)");
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
   add_threads(app, arguments.options.threads);
   return flags;
 }
 
+RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
+  app.add_option("-o", arguments.output, "mesh to write; - writes OFF to standard output")
+      ->required()
+      ->type_name("OUT.{obj,off,ply,stl}");
+  return add_tessellation(app, arguments);
+}
+
+RemeshFlags add_partition(CLI::App& app, PartitionArguments& arguments) {
+  add_ply_output(app, arguments.remesh.output);
+  app.add_option("--labels", arguments.labels, "write the cell of each input vertex and face")
+      ->type_name("FILE.csv");
+  app.add_option("--cells", arguments.cells, "write one line of measures for every cell")
+      ->type_name("FILE.csv");
+  return add_tessellation(app, arguments.remesh);
+}
+
 void add_uniformize(CLI::App& app, UniformizeArguments& arguments) {
   add_input(app, arguments.shared);
-  app.add_option("-o", arguments.output, "PLY to write; - writes standard output")
-      ->required()
-      ->type_name("OUT.ply");
+  add_ply_output(app, arguments.output);
+  app.add_option("--group", arguments.group,
+                 "write canonical generators of the deck group, the polygon and its pairings")
+      ->type_name("FILE.json");
+  app.add_option("--loops", arguments.loops, "write the generators as lines on the input")
+      ->type_name("FILE.obj");
+  CLI::Option* const uv =
+      app.add_option("--uv", arguments.uv, "write the surface with texture coordinates")
+          ->type_name("FILE.obj");
+  add_choice<CoverCoordinates>(app, "--coordinates", arguments.coordinates,
+                               {{"klein", CoverCoordinates::Klein},
+                                {"poincare", CoverCoordinates::Poincare},
+                                {"half-plane", CoverCoordinates::HalfPlane},
+                                {"plane", CoverCoordinates::Plane}},
+                               "of --uv (default klein, on a torus plane)")
+      ->needs(uv);
   add_threads(app, arguments.threads);
 }
 
-void check(const RemeshArguments& arguments) {
-  const std::string command = "remesh";
+void check(const RemeshArguments& arguments, const std::string& command) {
   if (!arguments.sites_given && arguments.init_file.empty()) {
     fail_usage("-n N, the number of sites, is missing", command);
   }
   if (arguments.shared.input == "-" && arguments.init_file == "-") {
     fail_usage("both the mesh and --init read standard input", command);
   }
-  check_extension("-o", arguments.output, {".obj", ".off", ".ply", ".stl"}, command);
   check_extension("--surface", arguments.surface, {".ply"}, command);
-  check_outputs(outputs_of(arguments), command);
+}
+
+void check(const RemeshArguments& arguments) {
+  check(arguments, "remesh");
+  check_extension("-o", arguments.output, {".obj", ".off", ".ply", ".stl"}, "remesh");
+  check_outputs(outputs_of(arguments), "remesh");
+}
+
+void check(const PartitionArguments& arguments) {
+  check(arguments.remesh, "partition");
+  check_extension("-o", arguments.remesh.output, {".ply"}, "partition");
+  check_outputs(outputs_of(arguments), "partition");
 }
 
 void check(const UniformizeArguments& arguments) {
   check_extension("-o", arguments.output, {".ply"}, "uniformize");
+  check_extension("--loops", arguments.loops, {".obj"}, "uniformize");
+  check_extension("--uv", arguments.uv, {".obj"}, "uniformize");
   check_outputs(outputs_of(arguments), "uniformize");
 }
 
@@ -146,8 +185,15 @@ std::vector<std::string> outputs_of(const RemeshArguments& arguments) {
   return asked_for({arguments.output, arguments.surface, arguments.sites, arguments.shared.report});
 }
 
+std::vector<std::string> outputs_of(const PartitionArguments& arguments) {
+  const RemeshArguments& remesh = arguments.remesh;
+  return asked_for({remesh.output, arguments.labels, arguments.cells, remesh.surface, remesh.sites,
+                    remesh.shared.report});
+}
+
 std::vector<std::string> outputs_of(const UniformizeArguments& arguments) {
-  return asked_for({arguments.output, arguments.shared.report});
+  return asked_for(
+      {arguments.output, arguments.group, arguments.loops, arguments.uv, arguments.shared.report});
 }
 
 std::vector<std::string> outputs_of(const InfoArguments& arguments) {
@@ -162,11 +208,15 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_line, "print the version");
   RemeshArguments remesh;
+  PartitionArguments partition;
   UniformizeArguments uniformize;
   InfoArguments info;
   CLI::App* const remesh_app =
       app.add_subcommand("remesh", "write the dual mesh of a tessellation with N sites");
-  const RemeshFlags flags = add_remesh(*remesh_app, remesh);
+  const RemeshFlags remesh_flags = add_remesh(*remesh_app, remesh);
+  CLI::App* const partition_app =
+      app.add_subcommand("partition", "write the input cut along the cells of a tessellation");
+  const RemeshFlags partition_flags = add_partition(*partition_app, partition);
   CLI::App* const uniformize_app =
       app.add_subcommand("uniformize", "write the conformal surface of constant curvature");
   add_uniformize(*uniformize_app, uniformize);
@@ -180,10 +230,14 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   }
   check_not_empty(*app.get_subcommands().front());
   if (remesh_app->parsed()) {
-    remesh.sites_given = flags.sites->count() > 0;
-    remesh.convergence_asked = flags.stop.ask_for_convergence();
+    take(remesh_flags, remesh);
     check(remesh);
     return remesh;
+  }
+  if (partition_app->parsed()) {
+    take(partition_flags, partition.remesh);
+    check(partition);
+    return partition;
   }
   if (uniformize_app->parsed()) {
     check(uniformize);

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "ucvt/cover.h"
 #include "ucvt/figure.h"
 #include "ucvt/remesh.h"
 #include "ucvt/space_files.h"
@@ -24,6 +25,7 @@ struct SharedArguments {
   bool verbose = false;
 };
 
+/// Of remesh, and of what partition has in common with it.
 struct RemeshArguments {
   SharedArguments shared;
   std::string output;
@@ -35,10 +37,21 @@ struct RemeshArguments {
   bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
 };
 
+struct PartitionArguments {
+  RemeshArguments remesh;
+  std::string labels;  ///< empty: not written
+  std::string cells;   ///< empty: not written
+};
+
 struct UniformizeArguments {
   SharedArguments shared;
   std::string output;
-  int threads = 0;  ///< 0: all cores
+  // Outputs of the deck group; those that are empty are not written.
+  std::string group;
+  std::string loops;
+  std::string uv;
+  CoverCoordinates coordinates = CoverCoordinates::Klein;  ///< of the UV output
+  int threads = 0;                                         ///< 0: all cores
 };
 
 struct InfoArguments {
@@ -72,11 +85,12 @@ struct TextRequest {
   std::string text;
 };
 
-using Arguments =
-    std::variant<TextRequest, RemeshArguments, UniformizeArguments, InfoArguments, SpaceArguments>;
+using Arguments = std::variant<TextRequest, RemeshArguments, PartitionArguments,
+                               UniformizeArguments, InfoArguments, SpaceArguments>;
 
 /// The outputs that are asked for, in the order in which they are written.
 std::vector<std::string> outputs_of(const RemeshArguments& arguments);
+std::vector<std::string> outputs_of(const PartitionArguments& arguments);
 std::vector<std::string> outputs_of(const UniformizeArguments& arguments);
 std::vector<std::string> outputs_of(const InfoArguments& arguments);
 std::vector<std::string> outputs_of(const SpaceArguments& arguments);

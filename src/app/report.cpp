@@ -15,6 +15,7 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::int64_t bytes_per_kilobyte = 1024;
+constexpr double bytes_per_megabyte = 1e6;
 
 Json spread_report(const Spread& spread) {
   return {{"mean", spread.mean}, {"cv", spread.cv}, {"min", spread.min}, {"max", spread.max}};
@@ -72,6 +73,15 @@ Json uniformization_report(const UniformizationReport& report) {
           {"log_scale_min", report.log_scale_min},
           {"log_scale_max", report.log_scale_max},
           {"seconds", report.seconds}};
+}
+
+Json group_report(const DeckGroup& group) {
+  const GroupCertificate& c = group.certificate;
+  return {{"base", group.base},
+          {"residual", c.residual},
+          {"residual_moebius", c.residual_moebius},
+          {"residual_matrix", c.residual_matrix},
+          {"largest_change", c.largest_change}};
 }
 
 Json quality_report(const MeshQuality& quality) {
@@ -162,7 +172,7 @@ std::int64_t peak_memory_bytes() {
   return static_cast<std::int64_t>(usage.ru_maxrss) * bytes_per_kilobyte;
 }
 
-std::string aligned_lines(const std::vector<std::pair<std::string, std::string>>& lines) {
+std::string aligned(const Lines& lines) {
   std::size_t width = 0;
   for (const auto& [name, value] : lines) {
     width = std::max(width, name.size());
@@ -172,6 +182,13 @@ std::string aligned_lines(const std::vector<std::pair<std::string, std::string>>
     text += fmt::format("{:<{}}  {}\n", name, width, value);
   }
   return text;
+}
+
+std::string aligned(Lines lines, std::chrono::steady_clock::time_point start) {
+  const double megabytes = static_cast<double>(peak_memory_bytes()) / bytes_per_megabyte;
+  lines.emplace_back("time", fmt::format("{:.2f} s", seconds_since(start)));
+  lines.emplace_back("peak memory", fmt::format("{:.0f} MB", megabytes));
+  return aligned(lines);
 }
 
 }  // namespace ucvt

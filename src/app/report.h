@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ucvt/cover.h"
 #include "ucvt/remesh.h"
 #include "ucvt/spaces.h"
 
@@ -22,6 +23,9 @@ using Json = nlohmann::ordered_json;
 Json input_report(const std::string& file, const MeshSurvey& counts);
 
 Json uniformization_report(const UniformizationReport& report);
+
+/// `group`: what was checked of the deck group.
+Json group_report(const DeckGroup& group);
 
 /// `cvt`, `uniformity`, `surface` and `remesh` of a result, put into a report.
 void add_remesh_report(Json& report, const RemeshResult& result);
@@ -56,7 +60,13 @@ std::string not_converged(const CvtReport& cvt, double tolerance);
 double seconds_since(std::chrono::steady_clock::time_point start);
 std::int64_t peak_memory_bytes();
 
-/// Lines "name  value", the values one below the other.
-std::string aligned_lines(const std::vector<std::pair<std::string, std::string>>& lines);
+/// What a summary says, as pairs of name and value.
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+/// The text of a summary, the values one below the other.
+std::string aligned(const Lines& lines);
+
+/// The same with time and peak memory of the run at its end.
+std::string aligned(Lines lines, std::chrono::steady_clock::time_point start);
 
 }  // namespace ucvt

@@ -1,6 +1,5 @@
 #include "app/space_command.h"
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -15,8 +14,6 @@ namespace ucvt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double bytes_per_megabyte = 1e6;
 
 /// What a message is about: the domain, by its file where it has one.
 std::string subject(const SpaceArguments& arguments) {
@@ -66,24 +63,24 @@ std::string summary(const SpaceArguments& arguments, const SpaceResult& result,
                        r.area.cv);
   };
   const std::string energy = fmt::format("{:.6g}", cvt.energy.back());
-  return aligned_lines({
-      {"space", arguments.domain_text == arguments.command
-                    ? arguments.command
-                    : fmt::format("{} {}", arguments.command, arguments.domain_text)},
-      {"area", fmt::format("{:.6g}", result.domain.area)},
-      {"sites", fmt::format("{}", cvt.sites)},
-      {"iterations", fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
-      {"energy",
-       arguments.options.density.empty()
-           ? fmt::format("{} ({:.4f} of regular hexagons)", energy, energy_over_hexagonal(result))
-           : energy},
-      {"hexagons", fmt::format("{:.2f} % of the cells", 100 * u.hexagons)},
-      {"cv", cv(u)},
-      {"cv at start", cv(result.initial_uniformity)},
-      {"time", fmt::format("{:.2f} s", seconds_since(start))},
-      {"peak memory",
-       fmt::format("{:.0f} MB", static_cast<double>(peak_memory_bytes()) / bytes_per_megabyte)},
-  });
+  return aligned(
+      {
+          {"space", arguments.domain_text == arguments.command
+                        ? arguments.command
+                        : fmt::format("{} {}", arguments.command, arguments.domain_text)},
+          {"area", fmt::format("{:.6g}", result.domain.area)},
+          {"sites", fmt::format("{}", cvt.sites)},
+          {"iterations",
+           fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
+          {"energy", arguments.options.density.empty()
+                         ? fmt::format("{} ({:.4f} of regular hexagons)", energy,
+                                       energy_over_hexagonal(result))
+                         : energy},
+          {"hexagons", fmt::format("{:.2f} % of the cells", 100 * u.hexagons)},
+          {"cv", cv(u)},
+          {"cv at start", cv(result.initial_uniformity)},
+      },
+      start);
 }
 
 Json report_of(const SpaceArguments& arguments, const SpaceResult& result,
@@ -109,18 +106,14 @@ void write_outputs(const SpaceArguments& arguments, const SpaceResult& result,
       figure = space_picture(result, arguments.picture);
     }
   });
-  const auto write = [](const std::string& path, const auto& work) {
-    if (!path.empty()) {
-      about_file(output_name(path), work);
-    }
-  };
   const auto write_as_text = [&](const std::string& path, const auto& text) {
-    write(path, [&] { write_text(path, text()); });
+    write_output(path, [&] { write_text(path, text()); });
   };
-  write(arguments.output, [&] { write_mesh(arguments.output, *mesh); });
-  write(arguments.cells, [&] { write_cells(arguments.cells, result, arguments.coordinates); });
-  write(arguments.csv, [&] { write_cell_table(arguments.csv, result); });
-  write(arguments.sites, [&] { write_space_sites(arguments.sites, result); });
+  write_output(arguments.output, [&] { write_mesh(arguments.output, *mesh); });
+  write_output(arguments.cells,
+               [&] { write_cells(arguments.cells, result, arguments.coordinates); });
+  write_output(arguments.csv, [&] { write_cell_table(arguments.csv, result); });
+  write_output(arguments.sites, [&] { write_space_sites(arguments.sites, result); });
   write_as_text(arguments.figure, [&] { return figure; });
   write_as_text(arguments.plot_energy, [&] { return line_plot(energy_plot(result)); });
   write_as_text(arguments.plot_uniformity, [&] { return line_plot(uniformity_plot(result)); });
@@ -164,8 +157,7 @@ ExitStatus run_space(const SpaceArguments& arguments) {
   }
   write_outputs(arguments, result, start);
   const ExitStatus status = judge(arguments, result);
-  const bool stdout_taken = std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
-  if (!arguments.shared.quiet && !stdout_taken) {
+  if (!arguments.shared.quiet && !takes_stdout(outputs)) {
     print_results(summary(arguments, result, start));
   }
   return status;

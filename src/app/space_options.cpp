@@ -25,27 +25,6 @@ void as_usage(const std::string& option, const Work& work) {
   }
 }
 
-/// Adds an option that takes one of a few words.
-template <typename Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target,
-                        const std::vector<std::pair<std::string, Value>>& choices,
-                        const std::string& description) {
-  std::string words;
-  for (const auto& choice : choices) {
-    words += (words.empty() ? "" : "|") + choice.first;
-  }
-  const auto read = [name, &target, choices, words](const std::string& text) {
-    for (const auto& [word, value] : choices) {
-      if (word == text) {
-        target = value;
-        return;
-      }
-    }
-    throw CLI::ValidationError(name, fmt::format("'{}' is none of {}", text, words));
-  };
-  return app.add_option_function<std::string>(name, read, description)->type_name(words);
-}
-
 void add_computation(CLI::App& app, SpaceArguments& arguments) {
   SpaceOptions& options = arguments.options;
   const auto init = [&arguments](const std::string& text) {

@@ -1,6 +1,5 @@
 #include "app/uniformize_command.h"
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -12,45 +11,57 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/signals.h"
+#include "ucvt/cover.h"
 
 namespace ucvt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double bytes_per_megabyte = 1e6;
-
 std::string summary(const ClosedInput& input, const UniformizationReport& report,
                     Clock::time_point start) {
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
-  return aligned_lines({
-      {"vertices", count(input.counts.vertices + report.refined_vertices)},
-      {"faces", count(input.counts.faces + 2 * report.refined_vertices)},
-      {"genus", count(input.surface.genus)},
-      {"geometry", report.geometry},
-      {"iterations", count(report.newton_iterations)},
-      {"flips",
-       fmt::format("{} Euclidean, {} Ptolemy", report.euclidean_flips, report.ptolemy_flips)},
-      {"angle error", fmt::format("{:.1e} rad", report.max_angle_error)},
-      {"log scale", fmt::format("{:.4g} to {:.4g}", report.log_scale_min, report.log_scale_max)},
-      {"time", fmt::format("{:.2f} s", seconds_since(start))},
-      {"peak memory",
-       fmt::format("{:.0f} MB", static_cast<double>(peak_memory_bytes()) / bytes_per_megabyte)},
-  });
+  return aligned(
+      {
+          {"vertices", count(input.counts.vertices + report.refined_vertices)},
+          {"faces", count(input.counts.faces + 2 * report.refined_vertices)},
+          {"genus", count(input.surface.genus)},
+          {"geometry", report.geometry},
+          {"iterations", count(report.newton_iterations)},
+          {"flips",
+           fmt::format("{} Euclidean, {} Ptolemy", report.euclidean_flips, report.ptolemy_flips)},
+          {"angle error", fmt::format("{:.1e} rad", report.max_angle_error)},
+          {"log scale",
+           fmt::format("{:.4g} to {:.4g}", report.log_scale_min, report.log_scale_max)},
+      },
+      start);
+}
+
+bool needs_group(const UniformizeArguments& arguments) {
+  return !arguments.group.empty() || !arguments.loops.empty() || !arguments.uv.empty();
 }
 
 void write_outputs(const UniformizeArguments& arguments, const ClosedInput& input,
                    const UniformizedSurface& surface, Clock::time_point start) {
-  about_file(output_name(arguments.output), [&] { surface.write(arguments.output); });
-  if (arguments.shared.report.empty()) {
-    return;
+  std::optional<Cover> cover;
+  if (needs_group(arguments)) {
+    about_file(input_name(arguments.shared.input), [&] { cover.emplace(surface); });
   }
-  Json report;
-  report["input"] = input_report(arguments.shared.input, input.counts);
-  report["uniformization"] = uniformization_report(surface.report());
-  add_run_report(report, start);
-  report["threads"] = threads_used(arguments.threads);
-  write_text(arguments.shared.report, report_text(report));
+  write_output(arguments.output, [&] { surface.write(arguments.output); });
+  write_output(arguments.group, [&] { cover->write_group(arguments.group); });
+  write_output(arguments.loops, [&] { cover->write_loops(arguments.loops); });
+  write_output(arguments.uv, [&] { cover->write_uv(arguments.uv, arguments.coordinates); });
+  write_output(arguments.shared.report, [&] {
+    Json report;
+    report["input"] = input_report(arguments.shared.input, input.counts);
+    report["uniformization"] = uniformization_report(surface.report());
+    if (cover) {
+      report["group"] = group_report(cover->group());
+    }
+    add_run_report(report, start);
+    report["threads"] = threads_used(arguments.threads);
+    write_text(arguments.shared.report, report_text(report));
+  });
 }
 
 }  // namespace
@@ -61,6 +72,10 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   check_writable(outputs);
   catch_signals();
   const ClosedInput input = read_closed_input(arguments.shared);
+  if (needs_group(arguments)) {
+    about_file(input_name(arguments.shared.input),
+               [&] { require_coordinates(input.surface.genus, arguments.coordinates); });
+  }
   begin_computation();
   std::optional<tbb::global_control> limit;
   if (arguments.threads > 0) {
@@ -77,8 +92,7 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
     throw interruption();
   }
   write_outputs(arguments, input, surface, start);
-  const bool stdout_taken = std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
-  if (!arguments.shared.quiet && !stdout_taken) {
+  if (!arguments.shared.quiet && !takes_stdout(outputs)) {
     print_results(summary(input, surface.report(), start));
   }
   return ExitStatus::Done;

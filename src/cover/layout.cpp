@@ -56,13 +56,6 @@ std::array<double, 2> coordinates_of(double kappa, const DeckMap& m, CoverCoordi
   };
   const PreciseComplex twice = DoubleDouble{2} * (m.a * m.b);
   const DoubleDouble z = norm2(m.a) - DoubleDouble{kappa} * norm2(m.b);
-  const bool plane = c == CoverCoordinates::Plane;
-  if (kappa == 0 ? !plane && c != CoverCoordinates::Klein : plane) {
-    throw InvalidInput(kappa == 0
-                           ? "a torus is laid out in the plane; ask for plane coordinates"
-                           : "a hyperbolic surface does not lie in the plane; ask for Klein, "
-                             "Poincare or half-plane coordinates");
-  }
   switch (c) {
     case CoverCoordinates::Poincare:
       return pair(m.a * m.b, norm2(m.a));

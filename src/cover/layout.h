@@ -26,7 +26,7 @@ std::vector<DeckMap> laid_out(const UniformSurface& t, const DeckSystem& system)
 DeckMap across_cut(const UniformSurface& t, const DeckSystem& system, Halfedge h);
 
 /// The image of the origin in two coordinates, from the map's numbers without loss.
-/// Throws InvalidInput when the coordinates do not belong to the curvature.
+/// Requires coordinates of the curvature (`require_coordinates`).
 std::array<double, 2> coordinates_of(double kappa, const DeckMap& m, CoverCoordinates coordinates);
 
 }  // namespace ucvt

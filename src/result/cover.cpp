@@ -6,6 +6,7 @@
 #include "mesh/output_file.h"
 #include "result/loops_file.h"
 #include "result/uv_file.h"
+#include "ucvt/error.h"
 
 namespace ucvt {
 
@@ -31,6 +32,23 @@ std::shared_ptr<const CoverData> cover_of(UniformizedSurface surface) {
 }
 
 }  // namespace
+
+void require_coordinates(int genus, CoverCoordinates coordinates) {
+  if (genus == 0) {
+    throw InvalidInput(
+        "a sphere is its own universal cover and has no deck group; take a surface "
+        "of genus 1 or more");
+  }
+  const bool plane = coordinates == CoverCoordinates::Plane;
+  if (genus == 1 && !plane && coordinates != CoverCoordinates::Klein) {
+    throw InvalidInput("a torus is laid out in the plane; ask for plane coordinates");
+  }
+  if (genus > 1 && plane) {
+    throw InvalidInput(
+        "a hyperbolic surface does not lie in the plane; ask for Klein, Poincare or half-plane "
+        "coordinates");
+  }
+}
 
 Cover::Cover(UniformizedSurface surface) : data_(cover_of(std::move(surface))) {}
 
@@ -60,6 +78,7 @@ void Cover::write_loops(const std::string& path) const {
 }
 
 void Cover::write_uv(const std::string& path, CoverCoordinates coordinates) const {
+  require_coordinates(data_->group.genus, coordinates);
   write(path, uv_obj(data_->surface.value(), data_->system, coordinates));
 }
 

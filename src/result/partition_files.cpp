@@ -70,11 +70,12 @@ void write_partition(const std::string& path, const Partition& p) {
   file.commit();
 }
 
-void write_labels(const std::string& path, const Partition& p) {
+void write_labels(const std::string& path, const Partition& p,
+                  const std::vector<std::int32_t>& input_vertex) {
   OutputFile file(path);
   file.write("element,number,cell\n");
   for (std::size_t v = 0; v < p.vertex_cell.size(); ++v) {
-    file.write(fmt::format("vertex,{},{}\n", v, p.vertex_cell[v]));
+    file.write(fmt::format("vertex,{},{}\n", input_vertex[v], p.vertex_cell[v]));
   }
   for (std::size_t f = 0; f < p.face_cell.size(); ++f) {
     file.write(fmt::format("face,{},{}\n", f, p.face_cell[f]));

@@ -25,6 +25,42 @@ TEST(UniformizeCommand, WritesTheSurfaceAndAReport) {
   EXPECT_EQ(piped.err, "");
 }
 
+TEST(UniformizeCommand, WritesTheDeckGroup) {
+  const TemporaryFolder folder;
+  const std::string input = torus_file(folder);
+  const Outcome outcome =
+      run({"uniformize", input, "-o", folder.file("t.ply"), "--group", folder.file("g.json"),
+           "--loops", folder.file("l.obj"), "--uv", folder.file("uv.obj"), "--coordinates", "plane",
+           "--report", folder.file("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json group = read_json(folder.file("g.json"));
+  EXPECT_EQ(group["generators"].size(), 2U);
+  const nlohmann::json report = read_json(folder.file("r.json"));
+  EXPECT_LT(report["group"]["residual"], 1e-9);
+  EXPECT_HAS(slurp(folder.file("l.obj")), "o a1\nl ");
+  const TriangleMesh uv = read_mesh(folder.file("uv.obj"));
+  EXPECT_EQ(uv.faces.size(), 480U);
+  EXPECT_HAS(slurp(folder.file("uv.obj")), "\nvt ");
+}
+
+TEST(UniformizeCommand, SaysBeforeItComputesThatThereIsNoSuchLayout) {
+  const TemporaryFolder folder;
+  const std::string input = torus_file(folder);
+  const Outcome torus = run({"uniformize", input, "-o", folder.file("t.ply"), "--uv",
+                             folder.file("uv.obj"), "--coordinates", "poincare"});
+  EXPECT_EQ(torus.status, 3);
+  EXPECT_HAS(only_line(torus.err), "a torus is laid out in the plane");
+  write_mesh(
+      folder.file("ball.off"),
+      {{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}});
+  const Outcome sphere = run({"uniformize", folder.file("ball.off"), "-o", folder.file("t.ply"),
+                              "--group", folder.file("g.json")});
+  EXPECT_EQ(sphere.status, 3);
+  EXPECT_HAS(only_line(sphere.err), "a sphere is its own universal cover");
+  EXPECT_EQ(folder.entries(), 2U);
+}
+
 TEST(UniformizeCommand, RefusesAnOpenMesh) {
   const TemporaryFolder folder;
   TriangleMesh mesh = grid_surface(20, 12);

@@ -1,0 +1,30 @@
+// A tessellation of a surface as remesh and partition make it, up to what they do with it.
+#pragma once
+
+#include <chrono>
+
+#include "app/closed_input.h"
+#include "app/failure.h"
+#include "app/options.h"
+#include "app/report.h"
+
+namespace ucvt {
+
+struct SurfaceRun {
+  ClosedInput input;
+  RemeshResult result;
+};
+
+/// Reads the mesh and the sites to start from, and computes. Throws Failure, also when interrupted.
+SurfaceRun run_on_surface(const RemeshArguments& arguments);
+
+/// Writes --surface and --sites where they are asked for. Throws Failure.
+void write_run(const RemeshArguments& arguments, const RemeshResult& result);
+
+Json run_report(const RemeshArguments& arguments, const SurfaceRun& run,
+                std::chrono::steady_clock::time_point start);
+
+/// What the result is not, said on stderr; whether the run counts as finished.
+ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result);
+
+}  // namespace ucvt
