@@ -38,11 +38,11 @@ bool CellWalk::is_developed(Halfedge h, const Offset& u, const Offset& v) const 
   if (stamp_[g] != cell_) {
     return false;
   }
-  // The sphere is its own cover. Elsewhere another lift of the face is far away, beyond rounding.
+  // The sphere is its own cover.
   if (t_.space().kappa > 0) {
     return true;
   }
-  const double near = 1e-6 * t_.chord(h) * t_.chord(h);
+  const double near = same_lift2(u, t_.chord(h) * t_.chord(h));
   for (std::int32_t i = newest_[g]; i >= 0; i = developed_[static_cast<std::size_t>(i)].older) {
     const auto& corner = developed_[static_cast<std::size_t>(i)].place.corner;
     if (chord2(t_.space(), corner[j], u) < near &&

@@ -16,6 +16,14 @@ inline double beyond_bisector(Space s, const Offset& p, const Offset& neighbour)
   return neighbour.x * p.x + neighbour.y * p.y - neighbour.h * model_z(s, p);
 }
 
+/// Bound on the squared chord between what are two computations of one lift of a point, at the end of
+/// an edge of the given squared chord; other lifts are farther apart. Far from the frame's origin
+/// rounding is a part of the coordinates, however small the edge.
+inline double same_lift2(const Offset& p, double edge2) {
+  constexpr double edge_part = 1e-3, rounding = 1e-12;
+  return edge_part * edge2 + rounding * rounding * (p.x * p.x + p.y * p.y);
+}
+
 class CellWalk {
  public:
   /// A face of T where it lies in the site's frame; lifts of one face are chained.

@@ -17,6 +17,9 @@ constexpr double sufficient_decrease = 1e-4;
 constexpr int max_halvings = 4;
 constexpr double longest_step = 0.5;
 
+/// Of a step in the hyperbolic plane, in central coordinates: a distance of 7.
+constexpr double farthest = 1 - 1e-6;
+
 /// Relative rounding of an energy: smaller differences tell nothing.
 constexpr double energy_rounding = 1e-14;
 
@@ -100,8 +103,12 @@ class Optimizer {
     return e;
   }
 
+  /// Steps are central coordinates, which end at 1 in the hyperbolic plane: neither a long step nor a
+  /// centroid that rounding puts there goes so far.
   [[nodiscard]] Offset at(const Vector2& step) const {
-    return from_central(space_, step.x, step.y);
+    const double length = std::hypot(step.x, step.y);
+    const double scale = space_.kappa < 0 && length > farthest ? farthest / length : 1;
+    return from_central(space_, scale * step.x, scale * step.y);
   }
 
   void move(const Vectors& step, double factor) {

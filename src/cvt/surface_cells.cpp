@@ -16,8 +16,9 @@ namespace {
 /// they are, and handing a vertex on ends.
 constexpr double least_gain = 1e-14;
 
-/// Two lifts of one point in a frame are the same when closer than this part of an edge.
-constexpr double same_lift = 1e-3;
+/// Two points of a frame are the ends of an edge when their squared chord is its own within this part;
+/// rounding is a part of edge times squared coordinates.
+constexpr double same_chord2 = 1e-3, chord2_rounding = 1e-12;
 
 /// Faces of one task. Fixed, so that sums do not depend on the number of threads.
 constexpr std::size_t chunk_size = 2048;
@@ -159,7 +160,8 @@ class SurfaceCells::Sweep {
       return true;
     }
     const double wanted = t_.chord(h) * t_.chord(h);
-    return std::abs(chord2(space_, p, q) - wanted) < same_lift * wanted;
+    const double rounding = chord2_rounding * t_.chord(h) * (p.x * p.x + p.y * p.y);
+    return std::abs(chord2(space_, p, q) - wanted) < same_chord2 * wanted + rounding;
   }
 
   void add(Face f, std::vector<Share>& out) {
@@ -171,8 +173,72 @@ class SurfaceCells::Sweep {
         return;
       }
     }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (lift(f, (i + 1) % 3).owner == lift(f, (i + 2) % 3).owner && add_cut_corner(f, i, out)) {
+        return;
+      }
+    }
     visit_cells(f);
     share_out(f, out);
+  }
+
+  /// The usual face that straddles cells: corner i alone lies in one cell, its part is a triangle, and
+  /// the other corners' cell has the rest. False when it is not so.
+  ///
+  /// The cut runs between points where both sites are nearest, so that all corners of the rest lie in
+  /// the other cell, which is convex.
+  bool add_cut_corner(Face f, std::size_t i, std::vector<Share>& out) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Lift &at = lift(f, i), &next = lift(f, j), &last = lift(f, k);
+    const auto side = halfedges(f);
+    const auto neighbours = cells_.stars_.neighbours(at.owner);
+    const auto offsets = cells_.stars_.offsets(at.owner);
+    if (at.owner == next.owner || !joins(side[j], next.at, last.at)) {
+      return false;
+    }
+    Triangle corner;
+    corner[i] = at.at;
+    std::size_t across = 0;
+    for (; across < neighbours.size(); ++across) {
+      if (neighbours[across].site == next.owner) {
+        corner[j] = neighbours[across].frame.apply(space_, next.at);
+        corner[k] = neighbours[across].frame.apply(space_, last.at);
+        if (joins(side[i], at.at, corner[j]) && joins(side[k], corner[k], at.at)) {
+          break;
+        }
+      }
+    }
+    if (across == neighbours.size()) {
+      return false;
+    }
+    const auto value = [&](std::size_t n, std::size_t v) {
+      return beyond_bisector(space_, corner[v], offsets[n]);
+    };
+    const double here = value(across, i), there = value(across, j), beyond = value(across, k);
+    if (!(here < 0 && there > 0 && beyond > 0)) {
+      return false;
+    }
+    const double p = here / (here - there), q = here / (here - beyond);
+    for (std::size_t n = 0; n < offsets.size(); ++n) {
+      const double v = value(n, i);
+      if (n != across && (v + p * (value(n, j) - v) > 0 || v + q * (value(n, k) - v) > 0)) {
+        return false;
+      }
+    }
+    std::array<Barycentric, 3> b{{{0, 0}, {1, 0}, {0, 1}}};
+    const auto between = [&](std::size_t v, double s) {
+      return Barycentric{b[i].b1 + s * (b[v].b1 - b[i].b1), b[i].b2 + s * (b[v].b2 - b[i].b2)};
+    };
+    const Weights piece = integrate_piece(space_, t_.triangle(f), mass_.corner_densities(f), b[i],
+                                          between(j, p), between(k, q));
+    of(at.owner, out) += moments_of(piece, corner);
+    Weights rest = mass_.weights(f);
+    rest -= piece;
+    corner[i] = neighbours[across].frame.apply_inverse(space_, at.at);
+    corner[j] = next.at;
+    corner[k] = last.at;
+    of(next.owner, out) += moments_of(rest, corner);
+    return true;
   }
 
   /// Where the end of h other than `from` lies in the frame of the cell that `from` is given in: by
@@ -220,9 +286,9 @@ class SurfaceCells::Sweep {
     }
     const auto offsets = cells_.stars_.offsets(at.owner);
     neighbours_.assign(offsets.begin(), offsets.end());
-    const double near = same_lift * t_.chord(halfedges(f)[0]);
+    const double near = same_lift2(at.at, t_.chord(halfedges(f)[0]) * t_.chord(halfedges(f)[0]));
     for (const auto& d : walk_->faces(places_[at.owner.index()], neighbours_)) {
-      if (d.place.face == f && chord2(space_, d.place.corner[0], at.at) < near * near) {
+      if (d.place.face == f && chord2(space_, d.place.corner[0], at.at) < near) {
         return d.place.corner;
       }
     }
@@ -261,22 +327,22 @@ class SurfaceCells::Sweep {
       const auto neighbours = cells_.stars_.neighbours(visits_[n].site);
       for (const std::size_t j : cutting_) {
         const Stars::Neighbour& next = neighbours[j];
-        Visit v{next.site, {}};
-        for (std::size_t i = 0; i < 3; ++i) {
-          v.corner[i] = next.frame.apply_inverse(space_, visits_[n].corner[i]);
-        }
-        if (!was_visited(f, v)) {
-          visits_.push_back(v);
+        const Triangle& corner = visits_[n].corner;
+        const Offset first = next.frame.apply_inverse(space_, corner[0]);
+        if (!was_visited(f, next.site, first)) {
+          visits_.push_back({next.site,
+                             {first, next.frame.apply_inverse(space_, corner[1]),
+                              next.frame.apply_inverse(space_, corner[2])}});
         }
       }
     }
   }
 
-  [[nodiscard]] bool was_visited(Face f, const Visit& v) const {
-    const double near = same_lift * t_.chord(halfedges(f)[0]);
+  /// Whether the cell of the site, where it knows corner 0 at `first`, was visited.
+  [[nodiscard]] bool was_visited(Face f, Vertex site, const Offset& first) const {
+    const double near = same_lift2(first, t_.chord(halfedges(f)[0]) * t_.chord(halfedges(f)[0]));
     return std::any_of(visits_.begin(), visits_.end(), [&](const Visit& old) {
-      return old.site == v.site &&
-             (space_.kappa > 0 || chord2(space_, old.corner[0], v.corner[0]) < near * near);
+      return old.site == site && (space_.kappa > 0 || chord2(space_, old.corner[0], first) < near);
     });
   }
 

@@ -29,6 +29,9 @@ constexpr double edge_per_spacing = 0.5;
 /// Rounds of making room for a simplicial dual mesh, and the iterations of a round.
 constexpr int max_rounds = 40, round_iterations = 30;
 
+/// Part of the sites that may be taken away elsewhere to keep their number; more are added.
+constexpr double most_moved = 0.25;
+
 /// Edges of the shortest loop in a simplicial complex; cells shrink by at least `least_shrink` a
 /// round where there is no room for it, and grow back by at most `growth` per unit of distance.
 constexpr double shortest_loop = 3, least_shrink = 0.8, growth = 0.7;
@@ -266,9 +269,44 @@ class Remesher {
     }
   }
 
+  /// The sites whose cells hold least, no neighbours among them and none at an edge that is in the way:
+  /// at most as many as there are such edges, and as may still be moved.
+  std::vector<Vertex> spare_sites(const std::vector<NonSimplicialEdge>& in_the_way) {
+    const DelaunayTriangulation& d = sites_->delaunay();
+    const std::size_t n = sites_->site_count();
+    const auto allowed = static_cast<std::size_t>(most_moved * options_.sites) - moved_;
+    std::vector<CellState> cells(n);
+    sites_->measure(cells);
+    std::vector<std::pair<double, Vertex>> by_energy;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double r = cells[i].spacing;
+      by_energy.emplace_back(cells[i].moments.m * r * r, Vertex{static_cast<std::int32_t>(i)});
+    }
+    std::sort(by_energy.begin(), by_energy.end());
+    std::vector<bool> taken(n);
+    for (const NonSimplicialEdge& e : in_the_way) {
+      taken[d.connectivity().origin(e.halfedge).index()] = true;
+      taken[d.connectivity().head(e.halfedge).index()] = true;
+    }
+    std::vector<Vertex> out;
+    for (const auto& [energy, site] : by_energy) {
+      if (out.size() >= std::min(in_the_way.size(), allowed)) {
+        break;
+      }
+      if (!taken[site.index()]) {
+        out.push_back(site);
+        taken[site.index()] = true;
+        d.connectivity().for_outgoing(
+            site, [&](Halfedge h) { taken[d.connectivity().head(h).index()] = true; });
+      }
+    }
+    moved_ += out.size();
+    return out;
+  }
+
   /// Asks for cells so small, near every edge that keeps the dual mesh from being simplicial, that a
-  /// loop of three edges fits round the handle there, and adds the edge's middle as a site. False
-  /// when there is no such edge.
+  /// loop of three edges fits round the handle there, and makes the edge's middle a site, in place of
+  /// one that is not needed where it is. False when there is no such edge.
   bool make_room() {
     const DelaunayTriangulation& d = sites_->delaunay();
     const auto in_the_way = edges_not_simplicial(d);
@@ -288,6 +326,11 @@ class Remesher {
         }
       }
       sites.push_back(middle);
+    }
+    std::vector<Vertex> spare = spare_sites(in_the_way);
+    std::sort(spare.begin(), spare.end(), [](Vertex a, Vertex b) { return b.index() < a.index(); });
+    for (const Vertex v : spare) {
+      sites.erase(sites.begin() + v.id);
     }
     limit_growth(t_, growth / spacing_3d_, size);
     size_ = std::move(size);
@@ -339,6 +382,7 @@ class Remesher {
   std::vector<double> size_;  ///< wanted at T's vertices, relative to that spacing
   std::unique_ptr<SurfaceMass> mass_;
   std::unique_ptr<Tessellation> sites_;
+  std::size_t moved_ = 0;  ///< sites taken away to keep their number
   CvtReport cvt_;
 };
 

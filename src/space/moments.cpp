@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "space/quadrature.h"
 
@@ -13,8 +14,8 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
   return l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
 }
 
-/// Below this squared size of a piece seven nodes suffice.
-constexpr double tiny_size2 = 1e-6;
+/// Pieces of a squared size below these are resolved by rules of degree 5 and 6.
+constexpr double tiny_size2 = 1e-6, small_size2 = 5e-5;
 
 /// Triangles whose squared sides are all below `series_side2` let the power series of `by_series` end
 /// at rounding, and below `near_side2` stretch no piece by more than `near_stretch`: form <= side^2/3.
@@ -40,6 +41,72 @@ int degree_for(double size2) {
 }
 
 constexpr int max_depth = 40;
+
+/// Four numbers that are worked on at once, in one or two registers.
+using Lanes [[gnu::vector_size(32)]] = double;
+
+/// Four nodes of a rule.
+struct LaneNodes {
+  Lanes b0, b1, b2, weight;
+};
+
+/// triangle_rule(degree) by fours, filled up with nodes of weight zero. For degree 5, 6 and 8.
+const std::vector<LaneNodes>& lane_rule(int degree) {
+  static const auto rules = [] {
+    std::array<std::vector<LaneNodes>, 9> all;
+    for (const std::size_t d : {5, 6, 8}) {
+      const auto& rule = triangle_rule(static_cast<int>(d));
+      all[d].resize((rule.size() + 3) / 4);
+      for (std::size_t i = 0; i < rule.size(); ++i) {
+        LaneNodes& n = all[d][i / 4];
+        n.b0[i % 4] = rule[i].b0, n.b1[i % 4] = rule[i].b1, n.b2[i % 4] = rule[i].b2;
+        n.weight[i % 4] = rule[i].weight;
+      }
+    }
+    return all;
+  }();
+  return rules[static_cast<std::size_t>(degree)];
+}
+
+double sum(const Lanes& v) {
+  return (v[0] + v[1]) + (v[2] + v[3]);
+}
+
+/// A function compiled for wide registers too, where the compiler can choose at run time; no
+/// operation is fused, so that the bits are the same.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+#define UCVT_WIDE [[gnu::target_clones("avx2", "default")]]
+#else
+#define UCVT_WIDE
+#endif
+
+/// Piece::one_rule for small triangles, where w = (1 - f)^(-1/2) is its power series: no root, no
+/// division.
+UCVT_WIDE Weights by_series(const std::vector<LaneNodes>& rule, double kappa,
+                            const ChordTriangle& t, const std::array<double, 3>& rho, Barycentric a,
+                            Barycentric b, Barycentric c) {
+  const double jacobian =
+      t.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
+  Lanes mass{}, mu0{}, mu1{}, mu2{}, excess{};
+  for (const LaneNodes& q : rule) {
+    const Lanes l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
+    const Lanes l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
+    const Lanes l0 = 1 - l1 - l2;
+    const Lanes form = l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
+    const Lanes f = kappa * form;
+    const Lanes dm = q.weight * jacobian * (l0 * rho[0] + l1 * rho[1] + l2 * rho[2]);
+    const Lanes w3 = 1 + f * (3.0 / 2 + f * (15.0 / 8 + f * (35.0 / 16)));
+    const Lanes w4 = 1 + f * (2 + f * (3 + f * 4));
+    // w^4 / (1 + 1/w), of the excess.
+    const Lanes e = 0.5 + f * (9.0 / 8 + f * (29.0 / 16 + f * (325.0 / 128)));
+    mass += dm * w3;
+    mu0 += dm * w4 * l0;
+    mu1 += dm * w4 * l1;
+    mu2 += dm * w4 * l2;
+    excess -= dm * e * form;
+  }
+  return {{sum(mu0), sum(mu1), sum(mu2)}, sum(mass), sum(excess)};
+}
 
 struct Piece {
   Space space;
@@ -87,33 +154,11 @@ struct Piece {
     }
     return out;
   }
-  /// The same for small triangles, where w = (1 - f)^(-1/2) is its power series: no root, no division.
-  [[nodiscard]] Weights by_series(int degree, Barycentric a, Barycentric b, Barycentric c) const {
-    const double jacobian =
-        triangle.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
-    Weights out;
-    for (const auto& q : triangle_rule(degree)) {
-      const double l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
-      const double l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
-      const double l0 = 1 - l1 - l2;
-      const double form = chord_form(triangle, l0, l1, l2), f = space.kappa * form;
-      const double dm = q.weight * jacobian * (l0 * rho[0] + l1 * rho[1] + l2 * rho[2]);
-      const double w3 = 1 + f * (3.0 / 2 + f * (15.0 / 8 + f * (35.0 / 16)));
-      const double w4 = 1 + f * (2 + f * (3 + f * 4));
-      // w^4 / (1 + 1/w), of the excess.
-      const double e = 0.5 + f * (9.0 / 8 + f * (29.0 / 16 + f * (325.0 / 128)));
-      out.mass += dm * w3;
-      out.mu[0] += dm * w4 * l0;
-      out.mu[1] += dm * w4 * l1;
-      out.mu[2] += dm * w4 * l2;
-      out.excess -= dm * e * form;
-    }
-    return out;
-  }
   [[nodiscard]] Weights integrate(Barycentric a, Barycentric b, Barycentric c, int depth) const {
     const double piece2 = size2(a, b, c);
     if (space.kappa == 0 || longest_side2() < series_side2) {
-      return by_series(piece2 < tiny_size2 ? 5 : 8, a, b, c);
+      const int degree = piece2 < tiny_size2 ? 5 : piece2 < small_size2 ? 6 : 8;
+      return by_series(lane_rule(degree), space.kappa, triangle, rho, a, b, c);
     }
     const int degree = degree_for(piece2);
     if (degree != 0 || depth == max_depth) {

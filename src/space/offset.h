@@ -90,7 +90,7 @@ struct Rotation {
 /// The rotation that turns the direction of `from` into that of `to`. Requires both off the origin.
 inline Rotation rotation_between(const Offset& from, const Offset& to) {
   const double c = from.x * to.x + from.y * to.y, s = cross(from, to);
-  const double norm = std::hypot(c, s);
+  const double norm = std::sqrt(c * c + s * s);
   return {c / norm, s / norm};
 }
 
