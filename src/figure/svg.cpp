@@ -138,6 +138,37 @@ void Svg::text(const Pixel& at, std::string_view content, Attributes attributes)
       fmt::format(" x=\"{}\" y=\"{}\">{}</text>\n", number(at.x), number(at.y), escaped(content));
 }
 
+void Svg::symbol(const Pixel& at, std::string_view letter, std::string_view below,
+                 std::string_view above, double font_px) {
+  const double small = 0.66 * font_px, down = 0.22 * font_px, up = 0.62 * font_px;
+  const auto span = [&](std::string_view text, double dx, double dy) {
+    tag("tspan", {{"dx", number(dx)}, {"dy", number(dy)}, {"font-size", number(small)}});
+    out_ += '>';
+    out_ += escaped(text);
+    out_ += "</tspan>";
+  };
+  tag("text", {{"font-size", number(font_px)},
+               {"font-family", "'Latin Modern Roman', 'Times New Roman', 'DejaVu Serif', serif"},
+               {"text-anchor", "middle"},
+               {"stroke", "#ffffff"},
+               {"stroke-width", number(0.2 * font_px)},
+               {"stroke-linejoin", "round"},
+               {"paint-order", "stroke"},
+               {"x", number(at.x)},
+               {"y", number(at.y + 0.32 * font_px)}});
+  out_ += '>';
+  tag("tspan", {{"font-style", "italic"}});
+  out_ += '>';
+  out_ += escaped(letter);
+  out_ += "</tspan>";
+  span(below, 0, down);
+  if (!above.empty()) {
+    // The exponent stands above the index.
+    span(above, -0.55 * small * static_cast<double>(below.size()), -down - up + down / 2);
+  }
+  out_ += "</text>\n";
+}
+
 void Svg::circle(const Pixel& centre, double radius, Attributes attributes) {
   tag("circle", attributes);
   out_ += fmt::format(" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(centre.x), number(centre.y),

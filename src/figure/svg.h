@@ -55,6 +55,9 @@ class Svg {
   void close();
   void element(std::string_view element, Attributes attributes);
   void text(const Pixel& at, std::string_view content, Attributes attributes = {});
+  /// An italic letter with an index below and, not empty, an exponent above; black with a white rim.
+  void symbol(const Pixel& at, std::string_view letter, std::string_view below,
+              std::string_view above, double font_px);
   void circle(const Pixel& centre, double radius, Attributes attributes = {});
   void line(const Pixel& from, const Pixel& to, Attributes attributes = {});
 
