@@ -20,6 +20,7 @@ enum class Projection : char {
   Plane,         ///< plane and torus, to scale
   Klein,         ///< hyperbolic: geodesics are straight
   Poincare,      ///< hyperbolic: angles are true, geodesics are circular arcs
+  HalfPlane,     ///< the same in the upper half plane; of covers only (surface_figure.h)
 };
 
 /// A measure of SpaceCell.

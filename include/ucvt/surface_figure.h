@@ -90,9 +90,8 @@ std::string cover_picture(const Cover& cover, const CoverPictureOptions& options
 ///
 /// As `cover_picture` otherwise; mesh edges are not drawn. Groups of class `copies`, `domain`,
 /// `copy-cells`, `cells`, `boundary`, `copy-sites`, `sites`, `centroids`. On a surface of genus 0,
-/// `cover` must be null: both halves of the sphere, as by `space_picture`. Throws InvalidInput also
-/// when the result keeps no cells or the cover does not belong to its genus.
-std::string cell_cover_picture(const RemeshResult& result, const Cover* cover,
-                               const CoverPictureOptions& options = {});
+/// both halves of the sphere, as by `space_picture`; the coordinates do not count then. Throws
+/// InvalidInput also when the result keeps no cells.
+std::string cell_cover_picture(const RemeshResult& result, const CoverPictureOptions& options = {});
 
 }  // namespace ucvt

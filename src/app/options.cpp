@@ -70,6 +70,9 @@ RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
   add_threads(app, arguments.options.threads);
+  add_surface_figure(app, arguments.figures,
+                     {SurfaceShow::Mesh, SurfaceShow::Wireframe, SurfaceShow::Cells}, false);
+  add_cover_coordinates(app, arguments.figures.cover_picture.coordinates);
   return flags;
 }
 
@@ -79,6 +82,10 @@ void add_uniformize(CLI::App& app, UniformizeArguments& arguments) {
       ->required()
       ->type_name("OUT.ply");
   add_threads(app, arguments.threads);
+  add_surface_figure(
+      app, arguments.figures,
+      {SurfaceShow::Plain, SurfaceShow::Loops, SurfaceShow::Area, SurfaceShow::Angle}, true);
+  add_cover_coordinates(app, arguments.figures.cover_picture.coordinates);
 }
 
 void check(const RemeshArguments& arguments) {
@@ -91,11 +98,13 @@ void check(const RemeshArguments& arguments) {
   }
   check_extension("-o", arguments.output, {".obj", ".off", ".ply", ".stl"}, command);
   check_extension("--surface", arguments.surface, {".ply"}, command);
+  check_surface_figure(arguments.figures, command);
   check_outputs(outputs_of(arguments), command);
 }
 
 void check(const UniformizeArguments& arguments) {
   check_extension("-o", arguments.output, {".ply"}, "uniformize");
+  check_surface_figure(arguments.figures, "uniformize");
   check_outputs(outputs_of(arguments), "uniformize");
 }
 
@@ -143,11 +152,13 @@ std::string parse(CLI::App& app, int argc, const char* const* argv) {
 }  // namespace
 
 std::vector<std::string> outputs_of(const RemeshArguments& arguments) {
-  return asked_for({arguments.output, arguments.surface, arguments.sites, arguments.shared.report});
+  return asked_for({arguments.output, arguments.surface, arguments.sites, arguments.figures.figure,
+                    arguments.figures.cover, arguments.shared.report});
 }
 
 std::vector<std::string> outputs_of(const UniformizeArguments& arguments) {
-  return asked_for({arguments.output, arguments.shared.report});
+  return asked_for({arguments.output, arguments.figures.figure, arguments.figures.cover,
+                    arguments.shared.report});
 }
 
 std::vector<std::string> outputs_of(const InfoArguments& arguments) {

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/figure_options.h"
 #include "ucvt/figure.h"
 #include "ucvt/remesh.h"
 #include "ucvt/space_files.h"
@@ -31,6 +32,7 @@ struct RemeshArguments {
   std::string sites;      ///< empty: not written
   std::string init_file;  ///< empty: options.init holds
   RemeshOptions options;
+  SurfaceFigureArguments figures;
   bool sites_given = false;
   bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
 };
@@ -38,6 +40,7 @@ struct RemeshArguments {
 struct UniformizeArguments {
   SharedArguments shared;
   std::string output;
+  SurfaceFigureArguments figures;
   int threads = 0;  ///< 0: all cores
 };
 

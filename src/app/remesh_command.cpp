@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -81,9 +82,16 @@ void write_outputs(const RemeshArguments& arguments, const ClosedInput& input,
       about_file(output_name(path), work);
     }
   };
+  const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
+    const bool cells =
+        !arguments.figures.figure.empty() && arguments.figures.show == SurfaceShow::Cells;
+    const std::optional<Partition> cut = cells ? std::optional(partition(result)) : std::nullopt;
+    return make_figures(arguments.figures, result, cut ? &*cut : nullptr);
+  });
   write(arguments.output, [&] { write_mesh(arguments.output, result.mesh); });
   write(arguments.surface, [&] { result.surface.write(arguments.surface); });
   write(arguments.sites, [&] { write_sites(arguments.sites, result); });
+  write_figures(figures);
   const std::string& report = arguments.shared.report;
   write(report,
         [&] { write_text(report, report_text(report_of(arguments, input, result, start))); });

@@ -41,7 +41,10 @@ std::string summary(const ClosedInput& input, const UniformizationReport& report
 
 void write_outputs(const UniformizeArguments& arguments, const ClosedInput& input,
                    const UniformizedSurface& surface, Clock::time_point start) {
+  const MadeFigures figures = about_file(input_name(arguments.shared.input),
+                                         [&] { return make_figures(arguments.figures, surface); });
   about_file(output_name(arguments.output), [&] { surface.write(arguments.output); });
+  write_figures(figures);
   if (arguments.shared.report.empty()) {
     return;
   }

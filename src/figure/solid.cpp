@@ -19,7 +19,7 @@ const double crease_cosine = std::cos(50 * std::numbers::pi / 180);
 
 /// From the upper left, before the surface; and what is seen of a surface that turns away from it.
 constexpr Position light{-0.45, -0.55, 0.70};
-constexpr double ambient = 0.42;
+constexpr double ambient = 0.5;
 
 Position normalized(const Position& p) {
   const double n = std::sqrt(dot_product(p, p));
