@@ -283,7 +283,7 @@ void Sheet::draw_cells(Svg& svg, const CoverCells& cells) {
   std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2),
                    areas.end());
   const double side = std::sqrt(areas[areas.size() / 2]);
-  dot_ = std::clamp(0.1 * side, 0.5, options_.width / 180.0);
+  dot_ = std::clamp(0.11 * side, 0.5, options_.width / 180.0);
   const std::string line = number(std::clamp(0.045 * side, 0.3, 1.1));
   svg.open("g", {{"class", "cells"},
                  {"fill", "none"},
@@ -332,16 +332,16 @@ void Sheet::draw_dots(Svg& svg, const CoverCells& cells) const {
     }
   }
   svg.close();
+  svg.open(
+      "g",
+      {{"class", "centroids"}, {"fill", "#ffffff"}, {"stroke", "#000000"}, {"stroke-width", thin}});
+  for (const SpaceCell& c : cells.cells) {
+    draw_dot(svg, c.centroid, c.corners, 0);
+  }
+  svg.close();
   svg.open("g", {{"class", "sites"}, {"fill", "#000000"}});
   for (std::size_t i = 0; i < cells.sites.size(); ++i) {
     draw_dot(svg, cells.sites[i], cells.cells[i].corners, 0);
-  }
-  svg.close();
-  svg.open(
-      "g",
-      {{"class", "centroids"}, {"fill", "none"}, {"stroke", "#c02020"}, {"stroke-width", thin}});
-  for (const SpaceCell& c : cells.cells) {
-    draw_dot(svg, c.centroid, c.corners, 0);
   }
   svg.close();
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -166,6 +167,37 @@ std::array<Position, 3> placed_corners(const View& view, const TriangleMesh& mes
                                        std::size_t face) {
   return {view.place(corner(mesh, face, 0)), view.place(corner(mesh, face, 1)),
           view.place(corner(mesh, face, 2))};
+}
+
+void draw_plain_mesh(Raster& raster, const View& view, const TriangleMesh& mesh) {
+  draw_mesh(
+      raster, view, mesh, [](std::size_t) { return 0; },
+      [](std::size_t, const auto&) { return plain_surface; });
+}
+
+double relative(double pixels, int width) {
+  return pixels * std::max(0.6, width / 600.0);
+}
+
+std::string framed(const Raster& raster, const Shot& shot, const std::string& title, double strip,
+                   const std::function<void(Svg&, double, double)>& overlay) {
+  const double font = std::max(11.0, shot.width / 50.0);
+  const double top = title.empty() ? 0 : std::ceil(2.2 * font);
+  Svg svg(shot.width, std::ceil(top + shot.height + strip * font), font);
+  svg.element("image",
+              {{"class", "surface"},
+               {"x", "0"},
+               {"y", number(top)},
+               {"width", number(shot.width)},
+               {"height", number(shot.height)},
+               {"xmlns:xlink", "http://www.w3.org/1999/xlink"},
+               {"xlink:href", "data:image/png;base64," + base64(png_bytes(raster.image()))}});
+  if (!title.empty()) {
+    svg.text({shot.width / 2.0, 1.4 * font}, title,
+             {{"text-anchor", "middle"}, {"font-size", number(1.15 * font)}});
+  }
+  overlay(svg, top, font);
+  return std::move(svg).finish();
 }
 
 }  // namespace ucvt

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "figure/raster.h"
@@ -68,5 +70,31 @@ void draw_tube(Raster& raster, const View& view, const std::vector<Position>& li
     }
   }
 }
+
+constexpr Colour plain_surface{222, 226, 232}, ink{25, 28, 36};
+
+/// Draws a mesh, smoothly shaded. colour(face, bary) is its own, label(face) what it
+/// bears in the raster.
+template <class ColourOf, class LabelOf>
+void draw_mesh(Raster& raster, const View& view, const TriangleMesh& mesh, const LabelOf& label,
+               const ColourOf& colour) {
+  const auto normals = corner_normals(mesh);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    raster.triangle(placed_corners(view, mesh, f), label(f), [&](const auto& bary) {
+      return lit(colour(f, bary), mixed_normal(view, normals[f], bary));
+    });
+  }
+}
+
+/// The same of one colour; label 0.
+void draw_plain_mesh(Raster& raster, const View& view, const TriangleMesh& mesh);
+
+/// A length given in pixels of a picture 600 wide, in one of another width.
+double relative(double pixels, int width);
+
+/// A document with the raster's image below the title. overlay(svg, top, font) draws over it, top being
+/// the image's upper edge, and below it, in a strip as high as so many fonts.
+std::string framed(const Raster& raster, const Shot& shot, const std::string& title, double strip,
+                   const std::function<void(Svg&, double, double)>& overlay);
 
 }  // namespace ucvt

@@ -54,6 +54,23 @@ double meets(const CentralPoint& p, const CentralPoint& q, const CentralPoint& a
   return at_p * at_q < 0 && at_a * at_b < 0 ? at_p / (at_p - at_q) : 2;
 }
 
+/// The angle to turn the picture back by: of the torus' longest side, or of the middle of the widest
+/// angle under which the origin sees two corners that follow each other.
+double bearing(double kappa, const std::vector<ModelPoint>& corners) {
+  double most = 0, out = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ModelPoint &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double gap = std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+    const double size = kappa == 0 ? std::hypot(b[0] - a[0], b[1] - a[1]) : gap;
+    // The relative margin keeps rounding from choosing among sides of equal length.
+    if (size > most * (1 + 1e-9)) {
+      most = size;
+      out = kappa == 0 ? std::atan2(b[1] - a[1], b[0] - a[0]) : std::atan2(a[1], a[0]) + gap / 2;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 CentredPolygon::CentredPolygon(const Cover& cover) : kappa_(cover.group().kappa), cover_(cover) {
@@ -68,9 +85,19 @@ CentredPolygon::CentredPolygon(const Cover& cover) : kappa_(cover.group().kappa)
   centring_ = to_origin(kappa_, {sum[0] / norm, sum[1] / norm, sum[2] / norm});
   const std::vector<DeckMap> corner =
       corner_maps(kappa_, group.relator, cover.data().system.canonical.map);
+  const auto place_corners = [&] {
+    corners_.clear();
+    for (std::size_t i = 0; i < group.polygon.size(); ++i) {
+      const Offset p = image_of_origin(product(kappa_, centring_, corner[i]));
+      corners_.push_back({p.x, p.y, model_z({kappa_}, p)});
+    }
+  };
+  place_corners();
+  const double half = -bearing(kappa_, corners_) / 2;
+  centring_ =
+      normalized(kappa_, product(kappa_, {{std::cos(half), std::sin(half)}, {}}, centring_));
+  place_corners();
   for (std::size_t i = 0; i < group.polygon.size(); ++i) {
-    const Offset p = image_of_origin(product(kappa_, centring_, corner[i]));
-    corners_.push_back({p.x, p.y, model_z({kappa_}, p)});
     paired_.push_back(static_cast<std::size_t>(group.paired_side[i]));
     const DeckMap m = product(kappa_, corner[paired_[i]], inverse(corner[i + 1]));
     across_.push_back(product(kappa_, product(kappa_, centring_, m), inverse(centring_)));

@@ -13,7 +13,9 @@
 
 namespace ucvt {
 
-/// The fundamental polygon moved so that the normalized sum of its corners is the model's origin.
+/// The fundamental polygon moved so that the normalized sum of its corners is the model's origin, and
+/// turned: the longest side of a torus runs along x; on a hyperbolic surface the widest angle between
+/// two corners has the x axis in its middle, so that the half plane shows the polygon below an arc.
 class CentredPolygon {
  public:
   explicit CentredPolygon(const Cover& cover);
