@@ -280,9 +280,9 @@ void Sheet::draw_cells(Svg& svg, const CoverCells& cells) {
   for (const SpaceCell& c : cells.cells) {
     areas.push_back(drawn_area(chart_, c.corners));
   }
-  std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2),
-                   areas.end());
-  const double side = std::sqrt(areas[areas.size() / 2]);
+  const std::size_t large = areas.size() * 3 / 4;
+  std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(large), areas.end());
+  const double side = std::sqrt(areas[large]);
   dot_ = std::clamp(0.11 * side, 0.5, options_.width / 180.0);
   const std::string line = number(std::clamp(0.045 * side, 0.3, 1.1));
   svg.open("g", {{"class", "cells"},
@@ -302,7 +302,7 @@ void Sheet::draw_cells(Svg& svg, const CoverCells& cells) {
                  {"stroke-width", line},
                  {"stroke-linecap", "round"}});
   for (const ModelMatrix& m : copies_) {
-    Path path;
+    Path path(2);
     for (const SpaceCell& c : cells.cells) {
       add_edges(moved(m, c.corners), path);
     }

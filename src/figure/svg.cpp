@@ -42,12 +42,14 @@ std::size_t character_bytes(std::string_view s) {
 
 }  // namespace
 
-std::string number(double value) {
+std::string number(double value, int decimals) {
   if (!std::isfinite(value)) {
     throw InvalidInput("a coordinate of the figure is not finite; check sites, cells and view");
   }
-  std::string s = fmt::format("{:.3f}", value);
-  s.erase(s.find_last_not_of('0') + 1);
+  std::string s = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) {
+    s.erase(s.find_last_not_of('0') + 1);
+  }
   if (s.back() == '.') {
     s.pop_back();
   }
@@ -79,14 +81,14 @@ std::string escaped(std::string_view text) {
 
 Path& Path::step(char command, const Pixel& to) {
   data_ += command;
-  data_ += number(to.x) + ' ' + number(to.y);
+  data_ += number(to.x, decimals_) + ' ' + number(to.y, decimals_);
   return *this;
 }
 
 Path& Path::arc(double radius, bool clockwise, const Pixel& to) {
-  const std::string r = number(radius);
-  data_ +=
-      fmt::format("A{0} {0} 0 0 {1} {2} {3}", r, clockwise ? 1 : 0, number(to.x), number(to.y));
+  const std::string r = number(radius, decimals_);
+  data_ += fmt::format("A{0} {0} 0 0 {1} {2} {3}", r, clockwise ? 1 : 0, number(to.x, decimals_),
+                       number(to.y, decimals_));
   return *this;
 }
 
