@@ -253,11 +253,18 @@ void Sheet::draw_labels(Svg& svg, const DeckGroup& group) const {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const ModelPoint &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const Pixel p = pixel(chart_, a), q = pixel(chart_, b);
-    const double size = std::clamp(0.22 * std::hypot(p.x - q.x, p.y - q.y), 9.0, 1.9 * font());
+    const double length = std::hypot(p.x - q.x, p.y - q.y);
+    const double size = std::clamp(0.22 * length, 0.8 * font(), 1.9 * font());
+    const bool curved =
+        chart_.projection == Projection::Poincare || chart_.projection == Projection::HalfPlane;
+    const Pixel at = curved ? pixel(chart_, middle(polygon_.kappa(), a, b))
+                            : Pixel{(p.x + q.x) / 2, (p.y + q.y) / 2};
+    // The polygon lies to the left of its sides.
+    const double inwards = length > 0 ? 0.85 * size / length : 0;
     const std::int32_t letter = group.relator[i];
     const std::string& name = group.generators[static_cast<std::size_t>(std::abs(letter) - 1)].name;
-    svg.symbol(pixel(chart_, middle(polygon_.kappa(), a, b)), name.substr(0, 1), name.substr(1),
-               letter < 0 ? "\u22121" : "", size);
+    svg.symbol({at.x + inwards * (q.y - p.y), at.y - inwards * (q.x - p.x)}, name.substr(0, 1),
+               name.substr(1), letter < 0 ? "\u22121" : "", size);
   }
   svg.close();
 }
@@ -283,24 +290,22 @@ void Sheet::draw_cells(Svg& svg, const CoverCells& cells) {
   const std::size_t large = areas.size() * 3 / 4;
   std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(large), areas.end());
   const double side = std::sqrt(areas[large]);
-  dot_ = std::clamp(0.11 * side, 0.5, options_.width / 180.0);
+  dot_ = std::clamp(0.13 * side, 0.5, options_.width / 180.0);
   const std::string line = number(std::clamp(0.045 * side, 0.3, 1.1));
-  svg.open("g", {{"class", "cells"},
+  svg.open("defs", {});
+  svg.open("g", {{"id", "edges"},
                  {"fill", "none"},
-                 {"stroke", "#000000"},
                  {"stroke-width", line},
+                 {"stroke-linecap", "round"},
                  {"stroke-linejoin", "round"}});
+  svg.open("g", {{"class", "cells"}});
   for (const SpaceCell& c : cells.cells) {
     svg.element("path", {{"d", outline(chart_, c.corners).data()}});
     Path marked;
     add_edges(c.corners, marked);
   }
   svg.close();
-  svg.open("g", {{"class", "copy-cells"},
-                 {"fill", "none"},
-                 {"stroke", copy_ink},
-                 {"stroke-width", line},
-                 {"stroke-linecap", "round"}});
+  svg.open("g", {{"class", "copy-cells"}});
   for (const ModelMatrix& m : copies_) {
     Path path(2);
     for (const SpaceCell& c : cells.cells) {
@@ -309,12 +314,19 @@ void Sheet::draw_cells(Svg& svg, const CoverCells& cells) {
     svg.element("path", {{"d", path.data()}});
   }
   svg.close();
+  svg.close();
+  svg.close();
+  // Cells reach across the sides, either way: edges are black in the domain whosever they are.
+  const Attribute edges{"xlink:href", "#edges"},
+      xlink{"xmlns:xlink", "http://www.w3.org/1999/xlink"};
+  svg.element("use", {xlink, edges, {"stroke", copy_ink}});
+  svg.element("use", {xlink, edges, {"stroke", "#000000"}, {"clip-path", "url(#domain)"}});
 }
 
 void Sheet::draw_dot(Svg& svg, const ModelPoint& p, const std::vector<ModelPoint>& corners,
                      double least) const {
   const Pixel at = pixel(chart_, p);
-  const double radius = std::min(dot_, 0.17 * std::sqrt(drawn_area(chart_, corners)));
+  const double radius = std::min(dot_, 0.19 * std::sqrt(drawn_area(chart_, corners)));
   if (least == 0 || (radius >= least && in_window(at))) {
     svg.circle(at, std::max(radius, 0.1));
   }

@@ -111,12 +111,13 @@ class InputNormals {
   std::vector<std::size_t> place_;  ///< by face of the closed surface: its number in t.input
 };
 
-double dot_radius(const Partition& p, const View& view) {
+/// The side, in pixels, of a square as large as the cells are on average.
+double cell_side(const Partition& p, const View& view) {
   double area = 0;
   for (const PartitionCell& c : p.cells) {
     area += c.area_3d / static_cast<double>(p.cells.size());
   }
-  return std::clamp(0.075 * std::sqrt(area) * view.scale, 0.7, 4.5);
+  return std::sqrt(area) * view.scale;
 }
 
 // ---- wires
@@ -176,8 +177,9 @@ std::string cells_picture(const RemeshResult& result, const Partition& cells,
       return lit({rgb[0], rgb[1], rgb[2]}, mixed_normal(shot.view, normal, bary));
     });
   }
-  raster.outline(relative(boundary_width, shot.width), ink);
-  const double radius = dot_radius(cells, shot.view);
+  const double side = cell_side(cells, shot.view);
+  raster.outline(std::min(relative(boundary_width, shot.width), std::max(0.09 * side, 0.5)), ink);
+  const double radius = std::clamp(0.075 * side, 0.6, 4.5);
   for (const PartitionCell& c : cells.cells) {
     raster.ball(shot.view.place(c.site), radius, 0,
                 [](const Position&) { return Colour{0, 0, 0}; });
