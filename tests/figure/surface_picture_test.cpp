@@ -111,7 +111,7 @@ TEST(SurfaceValues, DilatationIsTheRatioOfTheStretches) {
 }
 
 TEST(SurfaceValues, ASphereIsNotDistorted) {
-  const UniformizedSurface t = uniformize(oracle::closed(oracle::icosphere(3)));
+  const UniformizedSurface t = uniformize(oracle::closed(oracle::scaled(oracle::icosphere(3), 10)));
   for (const double k : angle_distortion(t.value())) {
     EXPECT_LT(k, 1.1);
     EXPECT_GE(k, 1);
