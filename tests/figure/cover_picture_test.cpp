@@ -138,30 +138,39 @@ TEST(CoverCells, FillTheSurfaceAndSurroundTheirSites) {
   }
 }
 
-TEST(CoverCells, NeighboursAcrossASideAreCellsOfACopy) {
-  // Every corner belongs to three cells: as many lifts of cells, copies included, end there.
-  const RemeshResult r = few_cells(2, 60);
-  const Cover cover(r.surface);
-  const CentredPolygon polygon(cover);
-  const CoverCells c = cover_cells(r, &polygon, &cover);
-  std::vector<ModelPoint> all;
-  for (const SpaceCell& cell : c.cells) {
-    all.insert(all.end(), cell.corners.begin(), cell.corners.end());
-  }
-  for (const ModelMatrix& m : polygon.neighbours()) {
-    for (const SpaceCell& cell : c.cells) {
-      for (const ModelPoint& p : cell.corners) {
-        all.push_back(transformed(m, p));
+TEST(CoverCells, ThreeMeetInEveryCorner) {
+  // Copies included: cells of the domain reach across its sides.
+  for (const int genus : {0, 1, 2}) {
+    const RemeshResult r = few_cells(genus, 60);
+    std::optional<Cover> cover;
+    std::optional<CentredPolygon> polygon;
+    if (genus > 0) {
+      cover.emplace(r.surface);
+      polygon.emplace(*cover);
+    }
+    const CoverCells c = cover_cells(r, polygon ? &*polygon : nullptr, cover ? &*cover : nullptr);
+    std::vector<ModelMatrix> lifts{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    if (polygon) {
+      const auto copies = polygon->neighbours();
+      lifts.insert(lifts.end(), copies.begin(), copies.end());
+    }
+    std::vector<ModelPoint> all;
+    for (const ModelMatrix& m : lifts) {
+      for (const SpaceCell& cell : c.cells) {
+        for (const ModelPoint& p : cell.corners) {
+          all.push_back(transformed(m, p));
+        }
       }
     }
-  }
-  for (const SpaceCell& cell : c.cells) {
-    for (const ModelPoint& p : cell.corners) {
-      int ends = 0;
-      for (const ModelPoint& q : all) {
-        ends += distance(-1, p, q) < 1e-5 ? 1 : 0;
+    const double kappa = genus == 0 ? 1 : genus == 1 ? 0 : -1;
+    for (const SpaceCell& cell : c.cells) {
+      for (const ModelPoint& p : cell.corners) {
+        int ends = 0;
+        for (const ModelPoint& q : all) {
+          ends += distance(kappa, p, q) < 1e-5 ? 1 : 0;
+        }
+        EXPECT_GE(ends, 3) << genus;
       }
-      EXPECT_GE(ends, 3);
     }
   }
 }

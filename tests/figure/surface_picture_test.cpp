@@ -79,6 +79,7 @@ TEST(Solid, TheCameraLooksDownTheAxisItNames) {
   options.camera.roll_deg = 90;
   const View turned = fit(mesh, options).view;
   EXPECT_NEAR(turned.direction({1, 0, 0})[1], -1, 1e-12) << "x points up now";
+  EXPECT_NEAR(turned.direction({0, 1, 0})[0], -1, 1e-12) << "and y to the left";
   options.camera = {30, 0, 0};
   const View level = fit(mesh, options).view;
   EXPECT_NEAR(level.direction({std::cos(std::numbers::pi / 6), 0.5, 0})[2], 1, 1e-12);
@@ -170,7 +171,9 @@ TEST(SurfacePicture, RefusesWhatCannotBeShown) {
 
 TEST(WriteFigure, GoesByTheExtension) {
   const std::string svg = mesh_picture(oracle::cube(), {}, small());
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const auto folder = std::filesystem::path(testing::TempDir()) / "ucvt-write-figure";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
   const auto content = [](const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
