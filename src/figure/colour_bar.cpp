@@ -17,8 +17,8 @@ constexpr int bar_steps = 96;
 
 }  // namespace
 
-void draw_colour_bar(Svg& svg, double from, double to, std::string_view title, const Pixel& top,
-                     double width, double font) {
+void draw_colour_bar(Svg& svg, const ColourBar& bar, const Pixel& top, double width, double font) {
+  const auto& [from, to, title] = bar;
   const double left = top.x - width / 2, y = top.y + 1.6 * font, high = font;
   for (int i = 0; i < bar_steps; ++i) {
     // Each step runs under the next, so that no seam shows.

@@ -9,9 +9,13 @@ namespace ucvt {
 
 constexpr double colour_bar_height = 4.6;  ///< in heights of the font
 
-/// Draws the colour map over the values from its low end to its high one, with a title, centred below
-/// the point `top`. The ends may be equal or the wrong way round.
-void draw_colour_bar(Svg& svg, double from, double to, std::string_view title, const Pixel& top,
-                     double width, double font);
+struct ColourBar {
+  double from = 0,
+         to = 1;  ///< values at the map's low and high end; equal or the wrong way round too
+  std::string_view title;
+};
+
+/// Draws the colour map with its values and title, centred below the point `top`.
+void draw_colour_bar(Svg& svg, const ColourBar& bar, const Pixel& top, double width, double font);
 
 }  // namespace ucvt

@@ -121,7 +121,7 @@ void draw_legend(Svg& svg, const Shading& shading, const PictureOptions& options
   }
   svg.open("g", {{"class", "legend"}});
   if (options.fill == Fill::Measure) {
-    draw_colour_bar(svg, shading.lo, shading.hi, measure_name(options.measure), top, width,
+    draw_colour_bar(svg, {shading.lo, shading.hi, measure_name(options.measure)}, top, width,
                     font_px);
   } else {
     degree_legend(svg, shading, options.fill == Fill::DegreeGreys, top, font_px);

@@ -62,9 +62,10 @@ std::string value_picture(const Uniformized& t, SurfaceValue shown,
   return framed(raster, shot, options.title, colour_bar_height + 0.4,
                 [&](Svg& svg, double top, double font) {
                   svg.open("g", {{"class", "legend"}});
-                  draw_colour_bar(svg, r.lo, r.hi,
-                                  angle ? "largest stretch / smallest stretch"
-                                        : "area on the surface / area in the cover, log10",
+                  draw_colour_bar(svg,
+                                  {r.lo, r.hi,
+                                   angle ? "largest stretch / smallest stretch"
+                                         : "area on the surface / area in the cover, log10"},
                                   {shot.width / 2.0, top + shot.height}, 0.6 * shot.width, font);
                   svg.close();
                 });
