@@ -20,6 +20,7 @@ enum class Projection : char {
   Plane,         ///< plane and torus, to scale
   Klein,         ///< hyperbolic: geodesics are straight
   Poincare,      ///< hyperbolic: angles are true, geodesics are circular arcs
+  HalfPlane,     ///< the same in the upper half plane; of covers only (surface_figure.h)
 };
 
 /// A measure of SpaceCell.
@@ -98,5 +99,14 @@ PlotSpec comparison_plot(const SpaceResult& result, Measure measure);
 
 /// The paper's energy against the number of iterations, as in its figure 7.
 PlotSpec energy_plot(const SpaceResult& result);
+
+/// Writes a figure as .svg or .png, by the path's extension; "-" is SVG on standard output.
+///
+/// A PNG has one pixel for each pixel of the figure. The file appears whole or not at all. Throws
+/// IoError; InvalidInput for another extension, and for .png unless `can_write_png`.
+void write_figure(const std::string& path, const std::string& svg);
+
+/// Whether this library was built with librsvg, by which figures become PNG files.
+bool can_write_png();
 
 }  // namespace ucvt

@@ -53,7 +53,8 @@ void take(const RemeshFlags& flags, RemeshArguments& arguments) {
 }
 
 /// What remesh and partition have in common, but the output.
-RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments) {
+RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments,
+                             const std::vector<SurfaceShow>& shows) {
   RemeshFlags flags;
   add_input(app, arguments.shared);
   flags.sites = add_sites(app, arguments.options.sites);
@@ -69,6 +70,8 @@ RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments) {
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
   add_threads(app, arguments.options.threads);
+  add_surface_figure(app, arguments.figures, shows, false);
+  add_cover_coordinates(app, arguments.figures.cover_picture.coordinates);
   return flags;
 }
 
@@ -76,7 +79,8 @@ RemeshFlags add_remesh(CLI::App& app, RemeshArguments& arguments) {
   app.add_option("-o", arguments.output, "mesh to write; - writes OFF to standard output")
       ->required()
       ->type_name("OUT.{obj,off,ply,stl}");
-  return add_tessellation(app, arguments);
+  return add_tessellation(app, arguments,
+                          {SurfaceShow::Mesh, SurfaceShow::Wireframe, SurfaceShow::Cells});
 }
 
 RemeshFlags add_partition(CLI::App& app, PartitionArguments& arguments) {
@@ -85,7 +89,8 @@ RemeshFlags add_partition(CLI::App& app, PartitionArguments& arguments) {
       ->type_name("FILE.csv");
   app.add_option("--cells", arguments.cells, "write one line of measures for every cell")
       ->type_name("FILE.csv");
-  return add_tessellation(app, arguments.remesh);
+  return add_tessellation(app, arguments.remesh,
+                          {SurfaceShow::Cells, SurfaceShow::Mesh, SurfaceShow::Wireframe});
 }
 
 void add_uniformize(CLI::App& app, UniformizeArguments& arguments) {
@@ -96,17 +101,13 @@ void add_uniformize(CLI::App& app, UniformizeArguments& arguments) {
       ->type_name("FILE.json");
   app.add_option("--loops", arguments.loops, "write the generators as lines on the input")
       ->type_name("FILE.obj");
-  CLI::Option* const uv =
-      app.add_option("--uv", arguments.uv, "write the surface with texture coordinates")
-          ->type_name("FILE.obj");
-  add_choice<CoverCoordinates>(app, "--coordinates", arguments.coordinates,
-                               {{"klein", CoverCoordinates::Klein},
-                                {"poincare", CoverCoordinates::Poincare},
-                                {"half-plane", CoverCoordinates::HalfPlane},
-                                {"plane", CoverCoordinates::Plane}},
-                               "of --uv (default klein, on a torus plane)")
-      ->needs(uv);
+  app.add_option("--uv", arguments.uv, "write the surface with texture coordinates")
+      ->type_name("FILE.obj");
   add_threads(app, arguments.threads);
+  add_surface_figure(
+      app, arguments.figures,
+      {SurfaceShow::Plain, SurfaceShow::Loops, SurfaceShow::Area, SurfaceShow::Angle}, true);
+  add_cover_coordinates(app, arguments.figures.cover_picture.coordinates);
 }
 
 void check(const RemeshArguments& arguments, const std::string& command) {
@@ -117,6 +118,7 @@ void check(const RemeshArguments& arguments, const std::string& command) {
     fail_usage("both the mesh and --init read standard input", command);
   }
   check_extension("--surface", arguments.surface, {".ply"}, command);
+  check_surface_figure(arguments.figures, command);
 }
 
 void check(const RemeshArguments& arguments) {
@@ -135,6 +137,7 @@ void check(const UniformizeArguments& arguments) {
   check_extension("-o", arguments.output, {".ply"}, "uniformize");
   check_extension("--loops", arguments.loops, {".obj"}, "uniformize");
   check_extension("--uv", arguments.uv, {".obj"}, "uniformize");
+  check_surface_figure(arguments.figures, "uniformize");
   check_outputs(outputs_of(arguments), "uniformize");
 }
 
@@ -182,18 +185,19 @@ std::string parse(CLI::App& app, int argc, const char* const* argv) {
 }  // namespace
 
 std::vector<std::string> outputs_of(const RemeshArguments& arguments) {
-  return asked_for({arguments.output, arguments.surface, arguments.sites, arguments.shared.report});
+  return asked_for({arguments.output, arguments.surface, arguments.sites, arguments.figures.figure,
+                    arguments.figures.cover, arguments.shared.report});
 }
 
 std::vector<std::string> outputs_of(const PartitionArguments& arguments) {
   const RemeshArguments& remesh = arguments.remesh;
   return asked_for({remesh.output, arguments.labels, arguments.cells, remesh.surface, remesh.sites,
-                    remesh.shared.report});
+                    remesh.figures.figure, remesh.figures.cover, remesh.shared.report});
 }
 
 std::vector<std::string> outputs_of(const UniformizeArguments& arguments) {
-  return asked_for(
-      {arguments.output, arguments.group, arguments.loops, arguments.uv, arguments.shared.report});
+  return asked_for({arguments.output, arguments.group, arguments.loops, arguments.uv,
+                    arguments.figures.figure, arguments.figures.cover, arguments.shared.report});
 }
 
 std::vector<std::string> outputs_of(const InfoArguments& arguments) {

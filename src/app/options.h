@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "ucvt/cover.h"
+#include "app/figure_options.h"
 #include "ucvt/figure.h"
 #include "ucvt/remesh.h"
 #include "ucvt/space_files.h"
@@ -33,6 +33,7 @@ struct RemeshArguments {
   std::string sites;      ///< empty: not written
   std::string init_file;  ///< empty: options.init holds
   RemeshOptions options;
+  SurfaceFigureArguments figures;
   bool sites_given = false;
   bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
 };
@@ -50,8 +51,8 @@ struct UniformizeArguments {
   std::string group;
   std::string loops;
   std::string uv;
-  CoverCoordinates coordinates = CoverCoordinates::Klein;  ///< of the UV output
-  int threads = 0;                                         ///< 0: all cores
+  SurfaceFigureArguments figures;  ///< its coordinates are those of the UV output too
+  int threads = 0;                 ///< 0: all cores
 };
 
 struct InfoArguments {

@@ -40,14 +40,18 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
   const SurfaceRun run = run_on_surface(asked);
-  const Partition p =
-      about_file(input_name(asked.shared.input), [&] { return partition(run.result); });
+  const auto [p, figures] = about_file(input_name(asked.shared.input), [&] {
+    Partition cut = partition(run.result);
+    MadeFigures made = make_figures(asked.figures, run.result, &cut);
+    return std::pair(std::move(cut), std::move(made));
+  });
   const std::string& report = asked.shared.report;
   write_output(asked.output, [&] { write_partition(asked.output, p); });
   write_output(arguments.labels,
                [&] { write_labels(arguments.labels, p, run.input.surface.input_vertex); });
   write_output(arguments.cells, [&] { write_cells(arguments.cells, p); });
   write_run(asked, run.result);
+  write_figures(figures);
   write_output(report, [&] {
     Json json = run_report(asked, run, start);
     json["partition"] = {{"cells", p.cells.size()},

@@ -1,6 +1,7 @@
 #include "app/remesh_command.h"
 
 #include <chrono>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -42,9 +43,16 @@ ExitStatus run_remesh(const RemeshArguments& arguments) {
   check_writable(outputs);
   const SurfaceRun run = run_on_surface(arguments);
   const RemeshResult& result = run.result;
+  const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
+    const SurfaceFigureArguments& asked = arguments.figures;
+    const bool cells = !asked.figure.empty() && asked.show == SurfaceShow::Cells;
+    const std::optional<Partition> cut = cells ? std::optional(partition(result)) : std::nullopt;
+    return make_figures(asked, result, cut ? &*cut : nullptr);
+  });
   const std::string& report = arguments.shared.report;
   write_output(arguments.output, [&] { write_mesh(arguments.output, result.mesh); });
   write_run(arguments, result);
+  write_figures(figures);
   write_output(report, [&] { write_text(report, report_text(run_report(arguments, run, start))); });
   const ExitStatus status = judge(arguments, result);
   if (!arguments.shared.quiet && !takes_stdout(outputs)) {

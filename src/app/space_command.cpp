@@ -106,19 +106,20 @@ void write_outputs(const SpaceArguments& arguments, const SpaceResult& result,
       figure = space_picture(result, arguments.picture);
     }
   });
-  const auto write_as_text = [&](const std::string& path, const auto& text) {
-    write_output(path, [&] { write_text(path, text()); });
-  };
   write_output(arguments.output, [&] { write_mesh(arguments.output, *mesh); });
   write_output(arguments.cells,
                [&] { write_cells(arguments.cells, result, arguments.coordinates); });
   write_output(arguments.csv, [&] { write_cell_table(arguments.csv, result); });
   write_output(arguments.sites, [&] { write_space_sites(arguments.sites, result); });
-  write_as_text(arguments.figure, [&] { return figure; });
-  write_as_text(arguments.plot_energy, [&] { return line_plot(energy_plot(result)); });
-  write_as_text(arguments.plot_uniformity, [&] { return line_plot(uniformity_plot(result)); });
-  write_as_text(arguments.shared.report,
-                [&] { return report_text(report_of(arguments, result, start)); });
+  write_output(arguments.figure, [&] { write_figure(arguments.figure, figure); });
+  write_output(arguments.plot_energy,
+               [&] { write_figure(arguments.plot_energy, line_plot(energy_plot(result))); });
+  write_output(arguments.plot_uniformity, [&] {
+    write_figure(arguments.plot_uniformity, line_plot(uniformity_plot(result)));
+  });
+  const std::string& report = arguments.shared.report;
+  write_output(report,
+               [&] { write_text(report, report_text(report_of(arguments, result, start))); });
 }
 
 /// What the result is not, said on stderr; whether the run counts as finished.

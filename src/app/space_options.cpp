@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/failure.h"
+#include "app/figure_options.h"
 #include "cvt/formula.h"
 #include "ucvt/error.h"
 
@@ -54,10 +55,10 @@ void add_outputs(CLI::App& app, SpaceArguments& arguments) {
       ->type_name("FILE.csv");
   app.add_option("--sites", arguments.sites, "write the sites")->type_name("FILE.json");
   app.add_option("--plot-energy", arguments.plot_energy, "plot the energy by iterations")
-      ->type_name("FILE.svg");
+      ->type_name("FILE.{svg,png}");
   app.add_option("--plot-uniformity", arguments.plot_uniformity,
                  "plot radius, distance and area of the cells in ascending order")
-      ->type_name("FILE.svg");
+      ->type_name("FILE.{svg,png}");
 }
 
 /// The colour of a cell: how, and by which measure.
@@ -80,7 +81,7 @@ const std::vector<std::pair<std::string, CellColour>>& cell_colours() {
 CLI::Option* add_figure(CLI::App& app, SpaceArguments& arguments, CellColour& colour) {
   PictureOptions& picture = arguments.picture;
   CLI::Option* const figure =
-      app.add_option("--figure", arguments.figure, "draw the cells")->type_name("FILE.svg");
+      app.add_option("--figure", arguments.figure, "draw the cells")->type_name("FILE.{svg,png}");
   add_choice(app, "--figure-cells", colour, cell_colours(),
              "what the colour of a cell shows (default degree)")
       ->needs(figure);
@@ -168,9 +169,9 @@ void check(const SpaceArguments& arguments) {
   check_extension("-o", arguments.output, {".obj", ".off", ".ply", ".stl"}, command);
   check_extension("--cells", arguments.cells, {".vtu"}, command);
   check_extension("--csv", arguments.csv, {".csv"}, command);
-  check_extension("--figure", arguments.figure, {".svg"}, command);
-  check_extension("--plot-energy", arguments.plot_energy, {".svg"}, command);
-  check_extension("--plot-uniformity", arguments.plot_uniformity, {".svg"}, command);
+  check_figure_path("--figure", arguments.figure, command);
+  check_figure_path("--plot-energy", arguments.plot_energy, command);
+  check_figure_path("--plot-uniformity", arguments.plot_uniformity, command);
   check_outputs(outputs_of(arguments), command);
   if (!arguments.options.density.empty()) {
     try {

@@ -37,20 +37,26 @@ std::string summary(const ClosedInput& input, const UniformizationReport& report
       start);
 }
 
-bool needs_group(const UniformizeArguments& arguments) {
-  return !arguments.group.empty() || !arguments.loops.empty() || !arguments.uv.empty();
+bool needs_cover(const UniformizeArguments& arguments) {
+  return !arguments.group.empty() || !arguments.loops.empty() || !arguments.uv.empty() ||
+         needs_cover(arguments.figures);
 }
 
 void write_outputs(const UniformizeArguments& arguments, const ClosedInput& input,
                    const UniformizedSurface& surface, Clock::time_point start) {
   std::optional<Cover> cover;
-  if (needs_group(arguments)) {
-    about_file(input_name(arguments.shared.input), [&] { cover.emplace(surface); });
-  }
+  const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
+    if (needs_cover(arguments)) {
+      cover.emplace(surface);
+    }
+    return make_figures(arguments.figures, surface, cover ? &*cover : nullptr);
+  });
   write_output(arguments.output, [&] { surface.write(arguments.output); });
   write_output(arguments.group, [&] { cover->write_group(arguments.group); });
   write_output(arguments.loops, [&] { cover->write_loops(arguments.loops); });
-  write_output(arguments.uv, [&] { cover->write_uv(arguments.uv, arguments.coordinates); });
+  write_output(arguments.uv,
+               [&] { cover->write_uv(arguments.uv, arguments.figures.cover_picture.coordinates); });
+  write_figures(figures);
   write_output(arguments.shared.report, [&] {
     Json report;
     report["input"] = input_report(arguments.shared.input, input.counts);
@@ -72,9 +78,10 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   check_writable(outputs);
   catch_signals();
   const ClosedInput input = read_closed_input(arguments.shared);
-  if (needs_group(arguments)) {
-    about_file(input_name(arguments.shared.input),
-               [&] { require_coordinates(input.surface.genus, arguments.coordinates); });
+  if (needs_cover(arguments)) {
+    about_file(input_name(arguments.shared.input), [&] {
+      require_coordinates(input.surface.genus, arguments.figures.cover_picture.coordinates);
+    });
   }
   begin_computation();
   std::optional<tbb::global_control> limit;

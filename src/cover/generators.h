@@ -18,7 +18,7 @@ struct DeckSystem {
   CutGraph cut;                ///< the greedy loops; words are in their letters
   std::vector<DeckMap> frame;  ///< of every vertex, along the tree
   std::vector<DeckMap> loop;   ///< of the greedy loops, after the projection
-  Projection projection;
+  RelationFit projection;
   CanonicalSystem canonical;
 };
 

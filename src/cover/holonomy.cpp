@@ -180,10 +180,10 @@ DeckMap map_of(double kappa, const Word& word, const std::vector<DeckMap>& gener
   return out;
 }
 
-Projection project_to_relation(double kappa, const Word& rim, std::vector<DeckMap>& loop) {
+RelationFit project_to_relation(double kappa, const Word& rim, std::vector<DeckMap>& loop) {
   const std::vector<DeckMap> start = loop;
   DeckMap off = map_of(kappa, rim, loop);
-  Projection out{off_identity(off), 0, 0, 0, false};
+  RelationFit out{off_identity(off), 0, 0, 0, false};
   if (kappa == 0) {
     for (DeckMap& m : loop) {
       // The image of the origin stays; the turn goes.

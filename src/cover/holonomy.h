@@ -23,8 +23,8 @@ std::vector<PreciseComplex> half_directions(const UniformSurface& t);
 Holonomy holonomy(const UniformSurface& t, const std::vector<PreciseComplex>& half_direction,
                   const CutGraph& cut);
 
-/// How a projection ended.
-struct Projection {
+/// How a projection to the relation ended.
+struct RelationFit {
   double before = 0;  ///< rim's distance from the identity, by numbers of (a, b)
   double after = 0;
   double change = 0;  ///< largest change of a loop, relative to the largest of its numbers
@@ -35,7 +35,7 @@ struct Projection {
 /// Moves the loops' maps by as little as possible, relative to their own sizes, until the rim is the
 /// identity: Gauss and Newton's method on Lie(PSU)^2g, least squares of all changes. In the plane the
 /// maps become translations, which is all there is to do.
-Projection project_to_relation(double kappa, const Word& rim, std::vector<DeckMap>& loop);
+RelationFit project_to_relation(double kappa, const Word& rim, std::vector<DeckMap>& loop);
 
 /// The product of generators along a word.
 DeckMap map_of(double kappa, const Word& word, const std::vector<DeckMap>& generator);

@@ -1,5 +1,6 @@
 #include "figure/chart.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -96,6 +97,27 @@ void poincare_edge(const Chart& chart, const ModelPoint& a, const ModelPoint& b,
   path.arc(radius / std::abs(n[2]), n[2] > 0, to);
 }
 
+/// (x + i y) of i (1 + w)/(1 - w), multiplied out.
+std::array<double, 2> half_plane(const ModelPoint& p) {
+  const double gap = p[0] > 0 ? (1 + p[1] * p[1]) / (p[2] + p[0]) : p[2] - p[0];
+  return {-p[1] / gap, 1 / gap};
+}
+
+/// Geodesics are half circles about points of the rim, and verticals.
+void half_plane_edge(const Chart& chart, const ModelPoint& a, const ModelPoint& b, Path& path) {
+  const auto [x0, y0] = half_plane(a);
+  const auto [x1, y1] = half_plane(b);
+  const Pixel to = to_pixel(chart, x1, y1);
+  const double wide = chart.scale * (x1 - x0), high = chart.scale * (y1 - y0);
+  const double middle = x0 + (x1 - x0) / 2 + (y1 - y0) * (y1 + y0) / (2 * (x1 - x0));
+  const double radius = chart.scale * std::hypot(x0 - middle, y0);
+  if (!(wide * wide + high * high > 8 * least_bulge * radius)) {
+    path.line(to);
+  } else {
+    path.arc(radius, x1 > x0, to);
+  }
+}
+
 }  // namespace
 
 ModelPoint moved(const ModelMatrix& m, const ModelPoint& p) {
@@ -144,8 +166,22 @@ Pixel pixel(const Chart& chart, const ModelPoint& p) {
       return to_pixel(chart, dot(chart.view[0], p), dot(chart.view[1], p));
     case Projection::Poincare:
       return to_pixel(chart, p[0] / (1 + p[2]), p[1] / (1 + p[2]));
+    case Projection::HalfPlane: {
+      const auto [x, y] = half_plane(p);
+      return to_pixel(chart, x, y);
+    }
     default:
       return to_pixel(chart, p[0] / p[2], p[1] / p[2]);
+  }
+}
+
+void add_geodesic(const Chart& chart, const ModelPoint& a, const ModelPoint& b, Path& path) {
+  if (chart.projection == Projection::Poincare) {
+    poincare_edge(chart, a, b, path);
+  } else if (chart.projection == Projection::HalfPlane) {
+    half_plane_edge(chart, a, b, path);
+  } else {
+    path.line(pixel(chart, b));
   }
 }
 
@@ -160,10 +196,10 @@ Path outline(const Chart& chart, const std::vector<ModelPoint>& corners) {
   path.move(pixel(chart, corners[0]));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const ModelPoint& next = corners[(i + 1) % corners.size()];
-    if (chart.projection == Projection::Poincare) {
-      poincare_edge(chart, corners[i], next, path);
-    } else if (i + 1 < corners.size()) {
-      path.line(pixel(chart, next));
+    const bool straight =
+        chart.projection == Projection::Klein || chart.projection == Projection::Plane;
+    if (!straight || i + 1 < corners.size()) {
+      add_geodesic(chart, corners[i], next, path);
     }
   }
   return path.close();

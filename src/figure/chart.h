@@ -1,7 +1,8 @@
 // How model points become pixels: the projections of pictures, and outlines of geodesic polygons.
 //
 // Picture coordinates are projected coordinates with y up: the view's right and up on the sphere,
-// central coordinates in the plane and the Klein disk, (x, y)/(1 + z) in the Poincare disk.
+// central coordinates in the plane and the Klein disk, w = (x, y)/(1 + z) in the Poincare disk,
+// i (1 + w)/(1 - w) in the half plane.
 #pragma once
 
 #include <vector>
@@ -36,6 +37,9 @@ ModelMatrix from_behind(const ModelMatrix& view);
 bool visible(const Chart& chart, const ModelPoint& p);
 
 Pixel pixel(const Chart& chart, const ModelPoint& p);
+
+/// Continues a path, which stands at a, along the geodesic to b. Not on the sphere.
+void add_geodesic(const Chart& chart, const ModelPoint& a, const ModelPoint& b, Path& path);
 
 /// The visible part of a convex geodesic polygon; empty when nothing of it is visible. On the
 /// sphere it is cut at the horizon and edges are polylines within 0.0002 of a radius of the arc.

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "figure/ticks.h"
+#include "figure/colour_bar.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -61,45 +61,6 @@ void degree_legend(Svg& svg, const Shading& shading, bool grey, const Pixel& top
   }
 }
 
-constexpr int bar_steps = 96;
-
-void measure_legend(Svg& svg, const Shading& shading, Measure measure, const Pixel& top,
-                    double width, double font) {
-  const double left = top.x - width / 2, y = top.y + 1.6 * font, high = font;
-  for (int i = 0; i < bar_steps; ++i) {
-    // Each step runs under the next, so that no seam shows.
-    const double x0 = width * i / bar_steps, x1 = width * std::min(i + 2, bar_steps) / bar_steps;
-    svg.element("rect", {{"x", number(left + x0)},
-                         {"y", number(y)},
-                         {"width", number(x1 - x0)},
-                         {"height", number(high)},
-                         {"fill", hex(map_colour((i + 0.5) / bar_steps))}});
-  }
-  svg.element("rect", {{"x", number(left)},
-                       {"y", number(y)},
-                       {"width", number(width)},
-                       {"height", number(high)},
-                       {"fill", "none"},
-                       {"stroke", "#000000"},
-                       {"stroke-width", "0.8"}});
-  // Equal values have a colour but no axis: one tick in the middle of a range around them.
-  const double middle = shading.lo, pad = middle == 0 ? 1 : std::abs(middle) * 0.5;
-  const bool flat = shading.lo == shading.hi;
-  const double lo = std::min(shading.lo, shading.hi) - (flat ? pad : 0);
-  const double hi = std::max(shading.lo, shading.hi) + (flat ? pad : 0);
-  const int count = std::clamp(static_cast<int>(width / (5 * font)), 2, 7);
-  const Ticks ticks = linear_ticks(lo, hi, count);
-  for (std::size_t i = 0; i < ticks.at.size(); ++i) {
-    const double t = (ticks.at[i] - lo) / (hi - lo);
-    const double x = left + width * (shading.lo <= shading.hi ? t : 1 - t);
-    svg.line({x, y + high}, {x, y + high + 4}, {{"stroke", "#000000"}});
-    svg.text({x, y + high + 4 + font}, ticks.labels[i], {{"text-anchor", "middle"}});
-  }
-  const std::string unit = ticks.factor.empty() ? "" : fmt::format(" ({})", ticks.factor);
-  svg.text({top.x, top.y + 1.2 * font}, fmt::format("{}{}", measure_name(measure), unit),
-           {{"text-anchor", "middle"}});
-}
-
 }  // namespace
 
 double measure_of(const SpaceCell& cell, Measure measure) {
@@ -150,7 +111,7 @@ Shading shade(const std::vector<SpaceCell>& cells, const PictureOptions& options
 }
 
 double legend_height(Fill fill, double font_px) {
-  return fill == Fill::None ? 0 : (fill == Fill::Measure ? 4.6 : 2.4) * font_px;
+  return fill == Fill::None ? 0 : (fill == Fill::Measure ? colour_bar_height : 2.4) * font_px;
 }
 
 void draw_legend(Svg& svg, const Shading& shading, const PictureOptions& options, const Pixel& top,
@@ -160,7 +121,8 @@ void draw_legend(Svg& svg, const Shading& shading, const PictureOptions& options
   }
   svg.open("g", {{"class", "legend"}});
   if (options.fill == Fill::Measure) {
-    measure_legend(svg, shading, options.measure, top, width, font_px);
+    draw_colour_bar(svg, {shading.lo, shading.hi, measure_name(options.measure)}, top, width,
+                    font_px);
   } else {
     degree_legend(svg, shading, options.fill == Fill::DegreeGreys, top, font_px);
   }

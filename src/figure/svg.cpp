@@ -42,12 +42,14 @@ std::size_t character_bytes(std::string_view s) {
 
 }  // namespace
 
-std::string number(double value) {
+std::string number(double value, int decimals) {
   if (!std::isfinite(value)) {
     throw InvalidInput("a coordinate of the figure is not finite; check sites, cells and view");
   }
-  std::string s = fmt::format("{:.3f}", value);
-  s.erase(s.find_last_not_of('0') + 1);
+  std::string s = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) {
+    s.erase(s.find_last_not_of('0') + 1);
+  }
   if (s.back() == '.') {
     s.pop_back();
   }
@@ -79,14 +81,14 @@ std::string escaped(std::string_view text) {
 
 Path& Path::step(char command, const Pixel& to) {
   data_ += command;
-  data_ += number(to.x) + ' ' + number(to.y);
+  data_ += number(to.x, decimals_) + ' ' + number(to.y, decimals_);
   return *this;
 }
 
 Path& Path::arc(double radius, bool clockwise, const Pixel& to) {
-  const std::string r = number(radius);
-  data_ +=
-      fmt::format("A{0} {0} 0 0 {1} {2} {3}", r, clockwise ? 1 : 0, number(to.x), number(to.y));
+  const std::string r = number(radius, decimals_);
+  data_ += fmt::format("A{0} {0} 0 0 {1} {2} {3}", r, clockwise ? 1 : 0, number(to.x, decimals_),
+                       number(to.y, decimals_));
   return *this;
 }
 
@@ -136,6 +138,37 @@ void Svg::text(const Pixel& at, std::string_view content, Attributes attributes)
   tag("text", attributes);
   out_ +=
       fmt::format(" x=\"{}\" y=\"{}\">{}</text>\n", number(at.x), number(at.y), escaped(content));
+}
+
+void Svg::symbol(const Pixel& at, std::string_view letter, std::string_view below,
+                 std::string_view above, double font_px) {
+  const double small = 0.66 * font_px, down = 0.22 * font_px, up = 0.62 * font_px;
+  const auto span = [&](std::string_view text, double dx, double dy) {
+    tag("tspan", {{"dx", number(dx)}, {"dy", number(dy)}, {"font-size", number(small)}});
+    out_ += '>';
+    out_ += escaped(text);
+    out_ += "</tspan>";
+  };
+  tag("text", {{"font-size", number(font_px)},
+               {"font-family", "'Latin Modern Roman', 'Times New Roman', 'DejaVu Serif', serif"},
+               {"text-anchor", "middle"},
+               {"stroke", "#ffffff"},
+               {"stroke-width", number(0.2 * font_px)},
+               {"stroke-linejoin", "round"},
+               {"paint-order", "stroke"},
+               {"x", number(at.x)},
+               {"y", number(at.y + 0.32 * font_px)}});
+  out_ += '>';
+  tag("tspan", {{"font-style", "italic"}});
+  out_ += '>';
+  out_ += escaped(letter);
+  out_ += "</tspan>";
+  span(below, 0, down);
+  if (!above.empty()) {
+    // The exponent stands above the index.
+    span(above, -0.55 * small * static_cast<double>(below.size()), -down - up + down / 2);
+  }
+  out_ += "</text>\n";
 }
 
 void Svg::circle(const Pixel& centre, double radius, Attributes attributes) {

@@ -15,9 +15,9 @@ struct Pixel {
   double x = 0, y = 0;
 };
 
-/// A number with at most three decimals, without trailing zeros or a negative zero.
+/// A number with at most so many decimals, without trailing zeros or a negative zero.
 /// Throws InvalidInput when it is not finite.
-std::string number(double value);
+std::string number(double value, int decimals = 3);
 
 /// Text fit for XML: markup escaped; what XML or UTF-8 cannot hold replaced by U+FFFD.
 std::string escaped(std::string_view text);
@@ -25,6 +25,8 @@ std::string escaped(std::string_view text);
 /// Path data of a `path` element.
 class Path {
  public:
+  /// Coordinates are written with so many decimals, up to three.
+  explicit Path(int decimals = 3) : decimals_(decimals) {}
   Path& move(const Pixel& to) { return step('M', to); }
   Path& line(const Pixel& to) { return step('L', to); }
   /// The shorter arc of a circle; clockwise as seen on the screen.
@@ -37,6 +39,7 @@ class Path {
  private:
   Path& step(char command, const Pixel& to);
 
+  int decimals_;
   std::string data_;
 };
 
@@ -55,6 +58,9 @@ class Svg {
   void close();
   void element(std::string_view element, Attributes attributes);
   void text(const Pixel& at, std::string_view content, Attributes attributes = {});
+  /// An italic letter with an index below and, not empty, an exponent above; black with a white rim.
+  void symbol(const Pixel& at, std::string_view letter, std::string_view below,
+              std::string_view above, double font_px);
   void circle(const Pixel& centre, double radius, Attributes attributes = {});
   void line(const Pixel& from, const Pixel& to, Attributes attributes = {});
 

@@ -4,17 +4,12 @@
 
 #include "cover/group_file.h"
 #include "mesh/output_file.h"
+#include "result/cover_data.h"
 #include "result/loops_file.h"
 #include "result/uv_file.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
-
-struct CoverData {
-  UniformizedSurface surface;
-  DeckSystem system;
-  DeckGroup group;
-};
 
 namespace {
 

@@ -1,6 +1,5 @@
 // Writers of partition.h: PLY and CSV.
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
 #include <string_view>
@@ -8,23 +7,11 @@
 #include <fmt/format.h>
 
 #include "mesh/output_file.h"
+#include "result/colouring.h"
 #include "ucvt/partition.h"
 
 namespace ucvt {
 namespace {
-
-using Rgb = std::array<std::uint8_t, 3>;
-
-/// Light colours that stay apart in print and for the colour-blind (Tol's "light" scheme).
-constexpr std::array<Rgb, 9> palette{{{119, 170, 221},
-                                      {238, 221, 136},
-                                      {255, 170, 187},
-                                      {68, 187, 153},
-                                      {238, 136, 102},
-                                      {187, 204, 51},
-                                      {153, 221, 255},
-                                      {170, 170, 0},
-                                      {221, 221, 221}}};
 
 template <class T>
 void put(std::string& record, T value) {
@@ -62,7 +49,7 @@ void write_partition(const std::string& path, const Partition& p) {
     put(record, p.cell[f]);
     const auto cell = static_cast<std::size_t>(p.cell[f]);
     const auto colour = static_cast<std::size_t>(p.cells[cell].colour);
-    for (const std::uint8_t channel : palette[colour % palette.size()]) {
+    for (const std::uint8_t channel : cell_palette[colour % cell_palette.size()]) {
       put(record, channel);
     }
     file.write(record);

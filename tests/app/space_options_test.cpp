@@ -44,7 +44,7 @@ TEST(SpaceOptions, WrongUsageIsOneLineWithAHint) {
            {{"plane", "-n", "9", "--density", "-1"}, "--density: the constant is -1"},
            {{"sphere", "-n", "9", "--quadrature", "0"}, "'0' is not a number between 0 and 1"},
            {{"sphere", "-n", "9", "--centroids"}, "--centroids requires --figure"},
-           {{"sphere", "-n", "9", "--figure", "f.png"}, "'.png'"},
+           {{"sphere", "-n", "9", "--figure", "f.gif"}, "'.gif'"},
            {{"sphere", "-n", "9", "--cells", "c.vtk"}, "'.vtk'"},
            {{"sphere", "-n", "9", "-o", "c.vtu"}, "'.vtu'"},
            {{"sphere", "-n", "9", "--figure", "f.svg", "--figure-cells", "red"}, "'red'"},

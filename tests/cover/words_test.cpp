@@ -66,7 +66,7 @@ TEST(CanonicalSystem, HoldsForTheOppositeSidesOfARegularPolygon) {
       sides.push_back({{in, 0}, {along * std::cos(turn), along * std::sin(turn)}});
     }
     auto loops = sides;
-    const Projection p = project_to_relation(-1, rim, loops);
+    const RelationFit p = project_to_relation(-1, rim, loops);
     ASSERT_TRUE(p.converged) << p.before << " " << p.after;
     const CanonicalSystem raw = collect_handles(-1, rim, loops);
     const CanonicalSystem found = shortened(-1, raw, WordReducer(rim), loops);
