@@ -1,0 +1,108 @@
+// The tessellation against the paper's own way to it: copies of the sites, a power diagram in the
+// Klein disk.
+#include <algorithm>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "oracle/meshes.h"
+#include "paper_method/lloyd.h"
+#include "result/cell_complex.h"
+#include "ucvt/remesh.h"
+
+namespace ucvt {
+namespace {
+
+std::vector<SurfacePoint> points(const std::vector<Site>& sites) {
+  std::vector<SurfacePoint> out;
+  for (const Site& s : sites) {
+    out.push_back({{s.face}, s.bary});
+  }
+  return out;
+}
+
+/// D's faces as three sites, the smallest first, sorted.
+std::vector<Corners> faces_of(const DelaunayTriangulation& d) {
+  std::vector<Corners> out;
+  for (std::size_t f = 0; f < d.connectivity().face_count(); ++f) {
+    Corners corner{};
+    const auto side = halfedges({static_cast<std::int32_t>(f)});
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = d.connectivity().origin(side[i]).id;
+    }
+    std::ranges::rotate(corner, std::ranges::min_element(corner));
+    out.push_back(corner);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+RemeshResult remeshed(const TriangleMesh& mesh, int sites, int iterations,
+                      InitialSites init = InitialSites::Multilevel) {
+  RemeshOptions options;
+  options.sites = sites;
+  options.iterations = iterations;
+  options.init = init;
+  return remesh(oracle::closed(mesh), options);
+}
+
+void expect_same_triangles(const RemeshResult& r) {
+  ASSERT_TRUE(r.report.simplicial);
+  const paper::Lloyd method(r.surface.value(), points(r.sites));
+  const auto expected = paper::quotient(method.current_diagram());
+  const auto found = faces_of(r.cells->delaunay);
+  std::vector<Corners> differ;
+  std::ranges::set_symmetric_difference(found, expected, std::back_inserter(differ));
+  EXPECT_EQ(found.size(), expected.size());
+  EXPECT_TRUE(differ.empty()) << differ.size() << " triangles differ";
+}
+
+TEST(PaperMethod, CopiesGiveTheSameDelaunayTriangles) {
+  for (const int genus : {1, 2, 3}) {
+    SCOPED_TRACE(genus);
+    expect_same_triangles(remeshed(oracle::voxel_frame(genus), 200, 20));
+    expect_same_triangles(remeshed(oracle::voxel_frame(genus), 400, 0, InitialSites::Random));
+  }
+}
+
+TEST(PaperMethod, HullGivesTheSameDelaunayTrianglesOnASphere) {
+  expect_same_triangles(remeshed(oracle::bumpy(oracle::icosphere(2), 0.1, 1), 200, 20));
+}
+
+TEST(PaperMethod, CopiesAreSixteenGSquaredLessEightG) {
+  for (const int genus : {1, 2, 3}) {
+    const RemeshResult r = remeshed(oracle::voxel_frame(genus), 100, 0);
+    const paper::Lloyd method(r.surface.value(), points(r.sites));
+    const auto copies = static_cast<std::size_t>(16 * genus * genus - 8 * genus);
+    EXPECT_EQ(method.domain().neighbour.size(), copies);
+    EXPECT_EQ(method.current_diagram().points.size(), (copies + 1) * r.sites.size());
+  }
+}
+
+TEST(PaperMethod, LloydFindsAlmostTheSameCentroids) {
+  // The grid's sums and the factor 1/z that they lack leave a part of the cell's size.
+  for (const auto& mesh :
+       {oracle::icosphere(2), oracle::grid_torus(20, 12), oracle::voxel_frame(2)}) {
+    const RemeshResult start = remeshed(mesh, 200, 0, InitialSites::Random);
+    RemeshOptions options;
+    options.method = Method::Lloyd;
+    options.iterations = 30;
+    options.tolerance = 0;
+    options.ensure_simplicial = false;
+    options.initial_sites = start.sites;
+    const RemeshResult exact = remesh(oracle::closed(mesh), options);
+    paper::Lloyd method(exact.surface.value(), points(start.sites));
+    method.run(30);
+    options.iterations = 0;
+    options.initial_sites.clear();
+    for (const SurfacePoint& p : method.sites()) {
+      options.initial_sites.push_back({p.face.id, p.bary});
+    }
+    const RemeshResult summed = remesh(oracle::closed(mesh), options);
+    EXPECT_NEAR(summed.cvt.energy.front() / exact.cvt.energy.back(), 1, 0.01);
+    EXPECT_LT(summed.cvt.max_move.front(), 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace ucvt
