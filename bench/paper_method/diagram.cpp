@@ -70,6 +70,19 @@ std::vector<std::int32_t> chained(std::vector<std::pair<std::int32_t, std::int32
   return out;
 }
 
+Corners starting_at(const Corners& t, std::size_t i) {
+  return {t[i], t[(i + 1) % 3], t[(i + 2) % 3]};
+}
+
+/// Where to start so that the triangle's order comes first.
+std::size_t first_of(const Corners& t) {
+  std::size_t out = 0;
+  for (const std::size_t i : {1U, 2U}) {
+    out = starting_at(t, i) < starting_at(t, out) ? i : out;
+  }
+  return out;
+}
+
 }  // namespace
 
 Diagram diagram(const FundamentalDomain& domain, const std::vector<PlacedSite>& sites) {
@@ -107,12 +120,23 @@ std::vector<std::vector<std::int32_t>> neighbours(const Diagram& d) {
 std::vector<Corners> quotient(const Diagram& d) {
   std::vector<Corners> out;
   for (const Corners& t : d.triangles) {
-    Corners sites{d.site(t[0]), d.site(t[1]), d.site(t[2])};
-    const auto least = std::ranges::min_element(sites);
-    if (static_cast<std::size_t>(t[static_cast<std::size_t>(least - sites.begin())]) < d.sites) {
-      std::ranges::rotate(sites, least);
-      out.push_back(sites);
+    const Corners sites{d.site(t[0]), d.site(t[1]), d.site(t[2])};
+    const std::size_t first = first_of(sites);
+    if (static_cast<std::size_t>(t[first]) < d.sites) {
+      out.push_back(starting_at(sites, first));
     }
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+std::vector<Corners> quotient(const DelaunayTriangulation& d) {
+  const Connectivity& c = d.connectivity();
+  std::vector<Corners> out;
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    const auto side = halfedges({static_cast<std::int32_t>(f)});
+    const Corners sites{c.origin(side[0]).id, c.origin(side[1]).id, c.origin(side[2]).id};
+    out.push_back(starting_at(sites, first_of(sites)));
   }
   std::ranges::sort(out);
   return out;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "paper_method/fundamental_domain.h"
+#include "triangulation/delaunay.h"
 #include "ucvt/mesh.h"
 
 namespace ucvt::paper {
@@ -34,11 +35,13 @@ Diagram diagram(const FundamentalDomain& domain, const std::vector<PlacedSite>& 
 /// cell is open; empty when the site's triangles do not form one fan.
 std::vector<std::vector<std::int32_t>> neighbours(const Diagram& d);
 
-/// The triangles modulo the deck group as three sites, the smallest first, sorted: those of which
-/// the smallest site is not a copy.
+/// The triangles modulo the deck group, sorted, each as three sites in that of its three orders which
+/// comes first: those of which the first site is not a copy.
 ///
-/// Requires triangles of three different sites, as in a simplicial quotient; others may be there
-/// twice, or not at all.
+/// A triangle of three times the same site is there up to three times, or not at all.
 std::vector<Corners> quotient(const Diagram& d);
+
+/// D's triangles, written likewise.
+std::vector<Corners> quotient(const DelaunayTriangulation& d);
 
 }  // namespace ucvt::paper

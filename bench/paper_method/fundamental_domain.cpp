@@ -15,6 +15,9 @@ namespace {
 /// Sides crossed on the way back; far more than a centroid or a laid out vertex ever needs.
 constexpr int most_crossings = 10000;
 
+/// Steps of the search for the middle; it needs to be found roughly.
+constexpr int middle_steps = 1000;
+
 /// A point this far beyond a side, relative to the side's numbers, is on it.
 constexpr double on_side = 1e-13;
 
@@ -58,14 +61,22 @@ std::pair<std::size_t, ModelPoint> exit_of(const FundamentalDomain& d, const Mod
   return {exit, at};
 }
 
-ModelPoint middle(const FundamentalDomain& d) {
-  ModelPoint sum{};
-  for (const ModelPoint& c : d.corners) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum[k] += c[k] / static_cast<double>(d.corners.size());
+/// The point from which the farthest corner is least far, nearly: doubles tell little near the rim of
+/// the disk. Badoiu, Clarkson 2003: step k goes 1/(k + 1) of the way to the farthest corner.
+ModelPoint middle(double kappa, const std::vector<ModelPoint>& corners) {
+  Frame at = frame_at(kappa, corners.front());
+  for (int k = 1; k < middle_steps; ++k) {
+    Offset farthest;
+    for (const ModelPoint& c : corners) {
+      const Offset x = offset_in(at, c);
+      farthest = x.h > farthest.h ? x : farthest;
     }
+    const double length = length_of_chord({kappa}, std::sqrt(2 * farthest.h)) / (k + 1);
+    const double r = std::hypot(farthest.x, farthest.y);
+    at = carried(
+        at, from_chord({kappa}, chord_of_length({kappa}, length), farthest.x / r, farthest.y / r));
   }
-  return on_model(d.kappa, sum);
+  return at.P;
 }
 
 /// The map that takes the model's origin to p and carries the axes along.
@@ -96,7 +107,7 @@ PreciseDomain domain_of(const DeckSystem& s) {
   const double kappa = d.kappa = s.kappa;
   const DeckGroup group = deck_group(s);
   d.corners = group.polygon;
-  out.to_middle = inverse(transvection_to(kappa, middle(d)));
+  out.to_middle = inverse(transvection_to(kappa, middle(kappa, d.corners)));
   const DeckMap from_middle = inverse(out.to_middle);
   const auto centred = [&](const DeckMap& m) {
     return product(kappa, product(kappa, out.to_middle, m), from_middle);
@@ -120,7 +131,7 @@ PreciseDomain domain_of(const DeckSystem& s) {
 /// The map followed by those that bring its origin into the domain.
 DeckMap brought_back(const PreciseDomain& d, DeckMap m) {
   const double kappa = d.rounded.kappa;
-  ModelPoint from = middle(d.rounded);
+  ModelPoint from{0, 0, 1};
   for (int step = 0; step < most_crossings; ++step) {
     const auto [side, at] = exit_of(d.rounded, from, frame_of(kappa, m).P);
     if (side == d.back.size()) {
@@ -150,7 +161,7 @@ bool contains(const FundamentalDomain& d, const ModelPoint& p) {
 }
 
 void bring_back(const FundamentalDomain& d, Frame& site) {
-  ModelPoint from = middle(d);
+  ModelPoint from{0, 0, 1};
   for (int step = 0; step < most_crossings; ++step) {
     const auto [side, at] = exit_of(d, from, site.P);
     if (side == d.back.size()) {

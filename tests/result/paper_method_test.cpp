@@ -1,7 +1,6 @@
 // The tessellation against the paper's own way to it: copies of the sites, a power diagram in the
 // Klein disk.
 #include <algorithm>
-#include <map>
 
 #include <gtest/gtest.h>
 
@@ -21,22 +20,6 @@ std::vector<SurfacePoint> points(const std::vector<Site>& sites) {
   return out;
 }
 
-/// D's faces as three sites, the smallest first, sorted.
-std::vector<Corners> faces_of(const DelaunayTriangulation& d) {
-  std::vector<Corners> out;
-  for (std::size_t f = 0; f < d.connectivity().face_count(); ++f) {
-    Corners corner{};
-    const auto side = halfedges({static_cast<std::int32_t>(f)});
-    for (std::size_t i = 0; i < 3; ++i) {
-      corner[i] = d.connectivity().origin(side[i]).id;
-    }
-    std::ranges::rotate(corner, std::ranges::min_element(corner));
-    out.push_back(corner);
-  }
-  std::ranges::sort(out);
-  return out;
-}
-
 RemeshResult remeshed(const TriangleMesh& mesh, int sites, int iterations,
                       InitialSites init = InitialSites::Multilevel) {
   RemeshOptions options;
@@ -50,7 +33,7 @@ void expect_same_triangles(const RemeshResult& r) {
   ASSERT_TRUE(r.report.simplicial);
   const paper::Lloyd method(r.surface.value(), points(r.sites));
   const auto expected = paper::quotient(method.current_diagram());
-  const auto found = faces_of(r.cells->delaunay);
+  const auto found = paper::quotient(r.cells->delaunay);
   std::vector<Corners> differ;
   std::ranges::set_symmetric_difference(found, expected, std::back_inserter(differ));
   EXPECT_EQ(found.size(), expected.size());
