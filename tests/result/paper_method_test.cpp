@@ -1,6 +1,7 @@
 // The tessellation against the paper's own way to it: copies of the sites, a power diagram in the
 // Klein disk.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,52 @@ TEST(PaperMethod, CopiesAreSixteenGSquaredLessEightG) {
     EXPECT_EQ(method.domain().neighbour.size(), copies);
     EXPECT_EQ(method.current_diagram().points.size(), (copies + 1) * r.sites.size());
   }
+}
+
+/// The domain with what lies across the sides of its neighbours as well, as far as doubles tell them.
+paper::FundamentalDomain with_second_ring(const paper::FundamentalDomain& d) {
+  constexpr double apart = 0.1, far = 1e6;  // of images of the origin, and their largest z
+  paper::FundamentalDomain out = d;
+  out.neighbour.clear();
+  const auto image = [](const ModelMatrix& m) { return ModelPoint{m[0][2], m[1][2], m[2][2]}; };
+  std::vector<ModelPoint> known{{0, 0, 1}};
+  const auto add = [&](const ModelMatrix& m) {
+    const ModelPoint p = image(m);
+    if (p[2] < far &&
+        std::ranges::none_of(
+            known,
+            [&](const ModelPoint& q) { return std::hypot(p[0] - q[0], p[1] - q[1]) < apart; })) {
+      known.push_back(p), out.neighbour.push_back(m);
+    }
+  };
+  std::ranges::for_each(d.neighbour, add);
+  for (const ModelMatrix& m : d.neighbour) {
+    for (const ModelMatrix& back : d.back) {
+      ModelMatrix product{};
+      for (std::size_t i = 0; i < 9; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          product[i / 3][i % 3] += m[i / 3][k] * back[k][i % 3];
+        }
+      }
+      add(product);
+    }
+  }
+  return out;
+}
+
+TEST(PaperMethod, FewSitesNeedMoreThanTheNeighbours) {
+  // Cells so large that they reach past a neighbour: the copies of the paper do not show every
+  // neighbour of theirs.
+  RemeshOptions options;
+  options.sites = 30;
+  options.init = InitialSites::Random;
+  options.iterations = 0;
+  options.ensure_simplicial = false;
+  const RemeshResult r = remesh(oracle::closed(oracle::voxel_frame(3)), options);
+  const auto expected = paper::quotient(r.cells->delaunay);
+  const auto [domain, sites] = paper::laid_out_domain(r.surface.value().surface, points(r.sites));
+  EXPECT_NE(paper::quotient(paper::diagram(domain, sites)), expected);
+  EXPECT_EQ(paper::quotient(paper::diagram(with_second_ring(domain), sites)), expected);
 }
 
 TEST(PaperMethod, LloydFindsAlmostTheSameCentroids) {
