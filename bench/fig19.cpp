@@ -110,9 +110,8 @@ int main(int argc, char** argv) {
   try {
     const ucvt::ClosedSurface surface = closed_surface(ucvt::read_mesh(words[0]));
     fmt::print(
-        "| method | sites | cells in several parts | dual: vertices | triangles | non-manifold "
-        "edges "
-        "| non-manifold vertices | Euler number | |\n"
+        "| method | sites | cells in several parts | dual: vertices | triangles | open edges | "
+        "non-manifold edges | non-manifold vertices | Euler number | |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
     for (const int n : rvd_sites) {
       by_distance_in_space(surface.mesh, n, lloyd, words[1]);

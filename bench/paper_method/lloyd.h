@@ -16,10 +16,11 @@
 
 namespace ucvt::paper {
 
+/// In processor seconds.
 struct Timing {
   int iterations = 0;
-  double diagrams = 0;   ///< seconds, copies included
-  double centroids = 0;  ///< seconds
+  double diagrams = 0;  ///< copies included
+  double centroids = 0;
 };
 
 class Lloyd {
