@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <numeric>
 #include <ranges>
-#include <string>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
-extern "C" {
-#include <libqhull_r/libqhull_r.h>
-#include <libqhull_r/mem_r.h>
-#include <libqhull_r/qset_r.h>
-}
 
+#include "cvt/convex_hull.h"
 #include "cvt/domain.h"
 #include "ucvt/error.h"
 
@@ -50,46 +43,6 @@ void check_sites(const std::vector<ModelPoint>& sites) {
   }
 }
 
-/// Qhull's state, freed in the end; what it has to say about failures goes nowhere.
-class Hull {
- public:
-  Hull() { qh_zero(&qh_, log_.get()); }
-  Hull(const Hull&) = delete;
-  Hull& operator=(const Hull&) = delete;
-  ~Hull() {
-    qh_freeqhull(&qh_, !qh_ALL);
-    int kept = 0, total = 0;
-    qh_memfreeshort(&qh_, &kept, &total);
-  }
-
-  /// False when there is no hull of full dimension.
-  bool build(std::vector<double>& points) {
-    std::string command = "qhull Qt Pp";
-    return log_ && qh_new_qhull(&qh_, 3, static_cast<int>(points.size() / 3), points.data(), 0,
-                                command.data(), nullptr, log_.get()) == 0;
-  }
-
-  /// Calls visit(normal, points of its three corners) for the facets, all of them triangles.
-  template <class Visit>
-  void for_facets(Visit visit) {
-    for (const facetT* f = qh_.facet_list; f != nullptr && f->next != nullptr; f = f->next) {
-      Triangle corner{};
-      for (int i = 0; i < 3; ++i) {
-        const auto* v = static_cast<const vertexT*>(f->vertices->e[i].p);
-        corner[static_cast<std::size_t>(i)] = qh_pointid(&qh_, v->point);
-      }
-      visit(f->normal, corner);
-    }
-  }
-
- private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::unique_ptr<std::FILE, Close> log_{std::fopen("/dev/null", "w")};
-  qhT qh_;
-};
-
 /// Two sides of a triangle from its first corner on, with what h changes along them.
 std::pair<Offset, Offset> sides(const std::vector<Offset>& x, const Triangle& t) {
   const Offset& p = x[static_cast<std::size_t>(t[0])];
@@ -108,21 +61,17 @@ std::vector<Triangle> lower_hull(const std::vector<Offset>& x) {
   for (const Offset& p : x) {
     r = std::max({r, std::abs(p.x), std::abs(p.y)}), h = std::max(h, p.h);
   }
-  std::vector<double> points;
+  std::vector<std::array<double, 3>> points;
   double mean_x = 0, mean_y = 0;
   for (const Offset& p : x) {
-    points.insert(points.end(), {p.x / r, p.y / r, p.h / h});
+    points.push_back({p.x / r, p.y / r, p.h / h});
     mean_x += p.x / r / static_cast<double>(x.size());
     mean_y += p.y / r / static_cast<double>(x.size());
   }
-  points.insert(points.end(), {mean_x, mean_y, top_height});
-  Hull hull;
+  points.push_back({mean_x, mean_y, top_height});
   std::vector<Triangle> out;
-  if (!hull.build(points)) {
-    return out;
-  }
   const auto top = static_cast<std::int32_t>(x.size());
-  hull.for_facets([&](const double* normal, Triangle t) {
+  for (auto [t, normal] : convex_hull(std::move(points))) {
     if (normal[2] < 0 && std::ranges::find(t, top) == t.end()) {
       const auto [u, v] = sides(x, t);
       if (cross(u, v) < 0) {
@@ -130,7 +79,7 @@ std::vector<Triangle> lower_hull(const std::vector<Offset>& x) {
       }
       out.push_back(t);
     }
-  });
+  }
   return out;
 }
 
