@@ -19,7 +19,7 @@ constexpr double delaunay_tolerance = 1e-12;
 constexpr std::int64_t max_flips_per_edge = 100;
 
 /// Bounds of how far Newton's systems are solved.
-constexpr double loosest_reduction = 0.1, tightest_reduction = 1e-6;
+constexpr double loosest_reduction = 0.001, tightest_reduction = 1e-6;
 
 constexpr int max_halvings = 40, halvings_before_pins = 6;
 
