@@ -326,7 +326,7 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
   while (out.max_angle_error > target && out.iterations < limit) {
     // Newton leaves about the square of the error, in radians.
     const double reduction =
-        std::clamp(std::max(out.max_angle_error, target / out.max_angle_error / 100),
+        std::clamp(std::max(out.max_angle_error, target / out.max_angle_error / 1000),
                    tightest_reduction, loosest_reduction);
     if (!newton_direction(reduction, direction)) {
       break;

@@ -23,6 +23,9 @@ constexpr Eigen::Index least_dissected = 2000;
 constexpr int most_under_multigrid = 100, renew_multigrid_after = 40;
 constexpr int most_under_factors = 25, renew_factors_after = 12;
 
+/// What the residual is reduced to at least where the factors are at hand.
+constexpr double under_factors = 1e-6;
+
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
@@ -115,7 +118,9 @@ struct SymmetricSolver::State {
       }
       const bool by_multigrid = kind == Kind::Multigrid;
       const int limit = by_multigrid ? most_under_multigrid : most_under_factors;
-      const KrylovResult done = method(a, m, b, reduction, limit, x);
+      // Under factors there is little to save.
+      const double wanted = by_multigrid ? reduction : std::min(reduction, under_factors);
+      const KrylovResult done = method(a, m, b, wanted, limit, x);
       if (done.converged) {
         worn = done.iterations > (by_multigrid ? renew_multigrid_after : renew_factors_after);
         return true;
