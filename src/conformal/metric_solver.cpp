@@ -21,6 +21,9 @@ constexpr std::int64_t max_flips_per_edge = 100;
 /// Bounds of how far Newton's systems are solved.
 constexpr double loosest_reduction = 0.001, tightest_reduction = 1e-6;
 
+/// How far below the tolerance a closed surface is solved where rounding allows.
+constexpr double margin = 40;
+
 constexpr int max_halvings = 40, halvings_before_pins = 6;
 
 /// A link vertex this much farther from the puncture than the pin, in log scale, has left the link.
@@ -322,7 +325,7 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
   }
   out.max_angle_error = gradient_max();
   std::vector<double> direction;
-  const double target = has_puncture_ ? tolerance : tolerance / 4;
+  const double target = has_puncture_ ? tolerance : tolerance / margin;
   while (out.max_angle_error > target && out.iterations < limit) {
     // Newton leaves about the square of the error, in radians.
     const double reduction =

@@ -36,7 +36,8 @@ class MetricSolver {
   /// Called after each step with the iteration and the angle error; returning false stops.
   using Watch = std::function<bool(int, double)>;
 
-  /// Newton steps until the angle error is below `tolerance` and no longer falls, or `limit` steps.
+  /// Newton steps until the angle error is below `tolerance`, well below on a closed surface unless it
+  /// falls no longer, or `limit` steps.
   Result solve(double tolerance, int limit, const Watch& watch);
 
   /// Flips every edge that is not Delaunay at the present u; edges at the puncture stay, edges

@@ -128,10 +128,10 @@ class PuncturedPlane {
     t_.connectivity.for_outgoing(puncture_, [&](Halfedge h) { hold(h); });
   }
 
-  /// Gives up after `limit` steps.
+  /// Gives up after `limit` steps or changes of the link.
   MetricSolver::Result solve(int limit, const MetricSolver::Watch& watch) {
     MetricSolver::Result total;
-    while (total.iterations < limit) {
+    for (int round = 0; round < limit && total.iterations < limit; ++round) {
       const auto result = solver_.solve(plane_tolerance, limit - total.iterations, watch);
       total.iterations += result.iterations;
       total.max_angle_error = result.max_angle_error;
