@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "conformal/sparse_solver.h"
@@ -17,6 +18,12 @@ constexpr double delaunay_tolerance = 1e-12;
 /// Flips per edge in one go past which a metric is out of the range of doubles.
 constexpr std::int64_t max_flips_per_edge = 100;
 
+/// Bounds of how far Newton's systems are solved.
+constexpr double loosest_reduction = 0.001, tightest_reduction = 1e-6;
+
+/// How far below the tolerance a closed surface is solved where rounding allows.
+constexpr double margin = 40;
+
 constexpr int max_halvings = 40, halvings_before_pins = 6;
 
 /// A link vertex this much farther from the puncture than the pin, in log scale, has left the link.
@@ -26,7 +33,17 @@ constexpr double pin_tolerance = 1e-9;
 
 MetricSolver::MetricSolver(Space space, IntrinsicTriangulation& t, std::vector<double>& u,
                            std::vector<VertexRole> role)
-    : space_(space), t_(t), u_(u), role_(std::move(role)), half_(t.log_length.size()) {}
+    : space_(space), t_(t), u_(u), role_(std::move(role)), half_(t.log_length.size()) {
+  has_puncture_ = std::ranges::find(role_, VertexRole::Puncture) != role_.end();
+  // Unknowns in the order of the faces, which lie along a space-filling curve.
+  constexpr auto none = static_cast<std::size_t>(-1);
+  number_.assign(u.size(), none);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < half_.size(); ++i) {
+    std::size_t& number = number_[t.connectivity.origin({static_cast<std::int32_t>(i)}).index()];
+    number = number == none ? count++ : number;
+  }
+}
 
 bool MetricSolver::has_geometry(Face f) const {
   return std::ranges::none_of(halfedges(f), [&](Halfedge h) {
@@ -160,7 +177,7 @@ void MetricSolver::unpin() {
   link_is_simple_ = true;
 }
 
-bool MetricSolver::face_angles(Face f, FaceAngles& out) const {
+bool MetricSolver::add_angles(Face f) {
   const auto side = halfedges(f);
   std::array<double, 3> x{}, beta{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -175,11 +192,12 @@ bool MetricSolver::face_angles(Face f, FaceAngles& out) const {
     const double a = x[(i + 1) % 3], b = x[(i + 2) % 3], c = x[i];
     const double cosine = a * a + (b - c) * (b + c);
     beta[i] = std::atan2(S, cosine);
-    out.cot[i] = cosine / S;
-    out.t2[i] = -space_.kappa * c * c / (1 - space_.kappa * c * c);
+    cot_[side[i].index()] = cosine / S;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    out.angle[i] = std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
+    // The angle opposite to a side is at the origin of the side before it.
+    angle_sum_[t_.connectivity.origin(side[i].prev()).index()] +=
+        std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
   }
   return true;
 }
@@ -193,19 +211,11 @@ bool MetricSolver::evaluate() {
     return false;
   }
   angle_sum_.assign(u_.size(), 0);
-  FaceAngles a;
+  cot_.assign(half_.size(), 0);
   for (std::size_t f = 0; f < t_.connectivity.face_count(); ++f) {
     const Face face{static_cast<std::int32_t>(f)};
-    if (!has_geometry(face)) {
-      continue;
-    }
-    if (!face_angles(face, a)) {
+    if (has_geometry(face) && !add_angles(face)) {
       return false;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      // angle[i] is opposite to side i, at the origin of the side before it.
-      const Halfedge opposite = halfedges(face)[i].prev();
-      angle_sum_[t_.connectivity.origin(opposite).index()] += a.angle[i];
     }
   }
   gradient_.assign(u_.size(), 0);
@@ -222,46 +232,62 @@ const std::vector<double>& MetricSolver::angle_sums() {
   return angle_sum_;
 }
 
-bool MetricSolver::newton_direction(std::vector<double>& direction) {
+SymmetricMatrix MetricSolver::hessian() const {
   // All vertices are unknowns, those not solved for without a tie to others: the system keeps its
   // size and order when vertices are held or let go.
-  const auto size = static_cast<std::int32_t>(u_.size());
-  std::vector<std::int32_t> number(u_.size(), -1);
-  std::vector<double> right(u_.size());
-  SymmetricEntries entries(size);
-  for (std::int32_t v = 0; v < size; ++v) {
-    const auto i = static_cast<std::size_t>(v);
-    if (role_[i] == VertexRole::Solved) {
-      number[i] = v;
-      right[i] = -gradient_[i];
-    } else {
-      entries.add(v, v, 1);
+  const Connectivity& c = t_.connectivity;
+  const auto is_solved = [&](Vertex v) { return role_[v.index()] == VertexRole::Solved; };
+  const auto for_ties = [&](auto visit) {
+    for (std::size_t i = 0; i < half_.size(); ++i) {
+      const Halfedge h{static_cast<std::int32_t>(i)};
+      if (is_solved(c.origin(h))) {
+        visit(h, number_[c.origin(h).index()], c.origin(h), c.head(h));
+      }
+    }
+  };
+  SymmetricMatrix out;
+  out.begin.assign(u_.size() + 1, 0);
+  out.diagonal.assign(u_.size(), 0);
+  for_ties([&](Halfedge, std::size_t row, Vertex v, Vertex w) {
+    out.begin[row + 1] += v != w && is_solved(w) ? 1 : 0;
+  });
+  std::partial_sum(out.begin.begin(), out.begin.end(), out.begin.begin());
+  out.column.resize(static_cast<std::size_t>(out.begin.back()));
+  out.value.resize(out.column.size());
+  std::vector<std::int32_t> next(out.begin.begin(), out.begin.end() - 1);
+  for_ties([&](Halfedge h, std::size_t row, Vertex v, Vertex w) {
+    const double half_cot = (cot_[h.index()] + cot_[c.twin(h).index()]) / 2;
+    const double c2 = half_[h.index()] * half_[h.index()];
+    const double t2 = -space_.kappa * c2 / (1 - space_.kappa * c2);
+    // A loop's two ends are one unknown: what would be off the diagonal falls on it.
+    out.diagonal[row] += half_cot * (1 + t2 + (v == w ? t2 - 1 : 0));
+    if (v != w && is_solved(w)) {
+      const auto k = static_cast<std::size_t>(next[row]++);
+      out.column[k] = static_cast<std::int32_t>(number_[w.index()]);
+      out.value[k] = half_cot * (t2 - 1);
+    }
+  });
+  for (std::size_t v = 0; v < u_.size(); ++v) {
+    if (role_[v] != VertexRole::Solved) {
+      out.diagonal[number_[v]] = 1;
     }
   }
-  FaceAngles a;
-  for (std::size_t f = 0; f < t_.connectivity.face_count(); ++f) {
-    const Face face{static_cast<std::int32_t>(f)};
-    if (!has_geometry(face)) {
-      continue;
-    }
-    face_angles(face, a);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Halfedge h = halfedges(face)[i];
-      const auto p = number[t_.connectivity.origin(h).index()];
-      const auto q = number[t_.connectivity.head(h).index()];
-      const double half_cot = a.cot[i] / 2;
-      entries.add(p, p, half_cot * (1 + a.t2[i]));
-      entries.add(q, q, half_cot * (1 + a.t2[i]));
-      // A loop's two ends are one unknown: both off-diagonal entries fall on the diagonal.
-      entries.add(p, q, half_cot * (a.t2[i] - 1) * (p == q ? 2 : 1));
-    }
+  return out;
+}
+
+bool MetricSolver::newton_direction(double reduction, std::vector<double>& direction) {
+  std::vector<double> right(u_.size()), solution;
+  for (std::size_t v = 0; v < u_.size(); ++v) {
+    right[number_[v]] = -gradient_[v];
   }
   // Only on the sphere is the energy not convex.
-  const bool solved = space_.kappa <= 0 ? linear_.solve_positive_definite(entries, right, direction)
-                                        : linear_.solve(entries, right, direction);
-  // The factors of a matrix with other vertices held leave a trace of them.
-  for (std::size_t v = 0; v < u_.size(); ++v) {
-    direction[v] = number[v] >= 0 ? direction[v] : 0;
+  const bool solved = space_.kappa <= 0
+                          ? linear_.solve_positive_definite(hessian(), right, reduction, solution)
+                          : linear_.solve(hessian(), right, reduction, solution);
+  direction.assign(u_.size(), 0);
+  for (std::size_t v = 0; v < u_.size() && solved; ++v) {
+    // The factors of a matrix with other vertices held leave a trace of them.
+    direction[v] = role_[v] == VertexRole::Solved ? solution[number_[v]] : 0;
   }
   return solved;
 }
@@ -276,8 +302,10 @@ double MetricSolver::slope(const std::vector<double>& direction) const {
 
 double MetricSolver::gradient_max() const {
   double worst = 0;
-  for (const double g : gradient_) {
-    worst = std::max(worst, std::abs(g));
+  for (std::size_t v = 0; v < role_.size(); ++v) {
+    // Vertices that are held only to fix an isometry end with the angle sum of the others.
+    const bool counts = !has_puncture_ || role_[v] == VertexRole::Solved;
+    worst = counts ? std::max(worst, std::abs(2 * std::numbers::pi - angle_sum_[v])) : worst;
   }
   return worst;
 }
@@ -297,8 +325,13 @@ MetricSolver::Result MetricSolver::solve(double tolerance, int limit, const Watc
   }
   out.max_angle_error = gradient_max();
   std::vector<double> direction;
-  while (out.max_angle_error > tolerance / 10 && out.iterations < limit) {
-    if (!newton_direction(direction)) {
+  const double target = has_puncture_ ? tolerance : tolerance / margin;
+  while (out.max_angle_error > target && out.iterations < limit) {
+    // Newton leaves about the square of the error, in radians.
+    const double reduction =
+        std::clamp(std::max(out.max_angle_error, target / out.max_angle_error / 1000),
+                   tightest_reduction, loosest_reduction);
+    if (!newton_direction(reduction, direction)) {
       break;
     }
     const std::vector<double> start = u_;

@@ -29,14 +29,15 @@ class MetricSolver {
 
   struct Result {
     int iterations = 0;
-    double max_angle_error = 0;  ///< radians, over solved vertices
+    double max_angle_error = 0;  ///< radians; without a puncture held vertices count too
     bool converged = false;
   };
 
   /// Called after each step with the iteration and the angle error; returning false stops.
   using Watch = std::function<bool(int, double)>;
 
-  /// Newton steps until the angle error is below `tolerance` and no longer falls, or `limit` steps.
+  /// Newton steps until the angle error is below `tolerance`, well below on a closed surface unless it
+  /// falls no longer, or `limit` steps.
   Result solve(double tolerance, int limit, const Watch& watch);
 
   /// Flips every edge that is not Delaunay at the present u; edges at the puncture stay, edges
@@ -56,9 +57,6 @@ class MetricSolver {
   [[nodiscard]] bool link_is_simple() const { return link_is_simple_; }
 
  private:
-  struct FaceAngles {
-    double cot[3], t2[3], angle[3];
-  };
   [[nodiscard]] bool has_geometry(Face f) const;
   [[nodiscard]] double half_chord(Halfedge h) const;
   [[nodiscard]] bool beyond_pin(Halfedge from_puncture) const;
@@ -66,11 +64,12 @@ class MetricSolver {
   bool flip_from(std::vector<Halfedge> stack, std::int64_t limit);
   void unpin();
   void pin(Halfedge from_puncture, std::vector<Halfedge>& changed);
-  /// False when the face has collapsed.
-  bool face_angles(Face f, FaceAngles& out) const;
+  /// Adds the face's angles at its corners; false when it has collapsed.
+  bool add_angles(Face f);
   /// Refreshes chords, flips, angles and the gradient at the present u; false when out of range.
   bool evaluate();
-  bool newton_direction(std::vector<double>& direction);
+  [[nodiscard]] SymmetricMatrix hessian() const;
+  bool newton_direction(double reduction, std::vector<double>& direction);
   [[nodiscard]] double slope(const std::vector<double>& direction) const;
   [[nodiscard]] double gradient_max() const;
   [[nodiscard]] double gradient_norm2() const;
@@ -79,12 +78,14 @@ class MetricSolver {
   IntrinsicTriangulation& t_;
   std::vector<double>& u_;
   std::vector<VertexRole> role_;
-  std::vector<double> half_;      ///< half chords by halfedge, at the present u
+  std::vector<std::size_t> number_;  ///< of each vertex among the unknowns
+  std::vector<double> half_;         ///< half chords by halfedge, at the present u
+  std::vector<double> cot_;  ///< of beta, by the halfedge it is opposite to; 0 without geometry
   std::vector<double> gradient_;  ///< 2 pi - angle sum of solved vertices, 0 elsewhere
   std::vector<double> angle_sum_;
   double pin_ = 0;
   std::vector<Vertex> pinned_;  ///< by the last evaluation
-  bool link_is_simple_ = true;
+  bool link_is_simple_ = true, has_puncture_ = false;
   SymmetricSolver linear_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <queue>
 
 #include "conformal/moebius_balance.h"
 #include "conformal/plane_layout.h"
@@ -12,13 +13,14 @@
 namespace ucvt {
 namespace {
 
-/// Punctures tried before giving up, rounds of changes to the link for each, and the angle by which
-/// a link vertex must turn inwards before it is let go: less than that the sphere itself mends.
-constexpr int max_punctures = 64, max_rounds = 100, max_polish_steps = 10;
+/// Punctures tried before giving up, Newton's steps for each, and the angle by which a link vertex
+/// must turn inwards before it is let go: less than that the sphere itself mends.
+constexpr std::size_t max_punctures = 64;
+constexpr int max_inverted_steps = 10, max_plane_steps = 500, max_polish_steps = 10;
 constexpr double reflex_tolerance = 1e-3;
 
 /// Angle error in the plane, radians: the sphere itself mends the rest.
-constexpr double plane_tolerance = 1e-4;
+constexpr double plane_tolerance = 1e-6;
 
 /// Least angle sum below pi opposite to the edges of a vertex' star, or nothing when the star
 /// touches itself: how safely Delaunay the star is.
@@ -59,10 +61,54 @@ std::vector<Vertex> punctures_by_safety(const IntrinsicTriangulation& t) {
   return out;
 }
 
+/// About the distance from `source` over the surface.
+std::vector<double> distances(const IntrinsicTriangulation& t, Vertex source) {
+  std::vector<double> out(t.connectivity.vertex_count(), HUGE_VAL);
+  using Entry = std::pair<double, Vertex>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto length = [&](Halfedge h) { return std::exp(t.log_length[h.index()]); };
+  // Of the vertex opposite to h, over a source laid out beyond h at its ends' distances.
+  const auto across = [&](Halfedge h) {
+    const double base = length(h), left = length(h.prev()), right = length(h.next());
+    const double i = out[t.connectivity.origin(h).index()];
+    const double j = out[t.connectivity.head(h).index()];
+    const double x = (base + (left - right) * ((left + right) / base)) / 2;
+    const double source_x = (base + (i - j) * ((i + j) / base)) / 2;
+    const double y = std::sqrt(std::max(0.0, left * left - x * x));
+    const double depth = std::sqrt(std::max(0.0, i * i - source_x * source_x));
+    const double crossing = (x * depth + source_x * y) / (y + depth);
+    return crossing > 0 && crossing < base ? std::hypot(x - source_x, y + depth) : HUGE_VAL;
+  };
+  out[source.index()] = 0;
+  queue.push({0, source});
+  while (!queue.empty()) {
+    const auto [distance, v] = queue.top();
+    queue.pop();
+    if (distance > out[v.index()]) {
+      continue;
+    }
+    const auto lower = [&](Vertex w, double by) {
+      if (by < out[w.index()]) {
+        out[w.index()] = by;
+        queue.push({by, w});
+      }
+    };
+    t.connectivity.for_outgoing(v, [&](Halfedge h) {
+      lower(t.connectivity.head(h), out[v.index()] + length(h));
+      lower(t.connectivity.head(h.next()), across(h));
+      lower(t.connectivity.head(h), across(h.prev()));
+    });
+  }
+  return out;
+}
+
 /// The flat metric of the plane for one puncture.
 class PuncturedPlane {
  public:
-  PuncturedPlane(IntrinsicTriangulation& t, std::vector<double>& u, Vertex puncture)
+  /// Where Newton's method starts: from the input's metric, or from that inverted at the puncture.
+  enum class Start { Input, Inverted };
+
+  PuncturedPlane(IntrinsicTriangulation& t, std::vector<double>& u, Vertex puncture, Start start)
       : t_(t), u_(u), puncture_(puncture), solver_(Space{0}, t, u, roles()) {
     double mean = 0;
     int degree = 0;
@@ -72,13 +118,21 @@ class PuncturedPlane {
     });
     pin_ = mean / degree;
     solver_.set_pin(pin_);
+    u_.assign(u_.size(), 0);
+    if (start == Start::Inverted) {
+      const std::vector<double> distance = distances(t_, puncture_);
+      for (std::size_t v = 0; v < u_.size(); ++v) {
+        u_[v] = v == puncture_.index() ? 0 : pin_ - 2 * std::log(distance[v]);
+      }
+    }
     t_.connectivity.for_outgoing(puncture_, [&](Halfedge h) { hold(h); });
   }
 
-  MetricSolver::Result solve(const MetricSolver::Watch& watch) {
+  /// Gives up after `limit` steps or changes of the link.
+  MetricSolver::Result solve(int limit, const MetricSolver::Watch& watch) {
     MetricSolver::Result total;
-    for (int round = 0; round < max_rounds; ++round) {
-      const auto result = solver_.solve(plane_tolerance, 100, watch);
+    for (int round = 0; round < limit && total.iterations < limit; ++round) {
+      const auto result = solver_.solve(plane_tolerance, limit - total.iterations, watch);
       total.iterations += result.iterations;
       total.max_angle_error = result.max_angle_error;
       if (!solver_.link_is_simple() || result.max_angle_error > plane_tolerance) {
@@ -265,21 +319,22 @@ MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>
                                   const MetricSolver::Watch& watch) {
   MetricSolver::Result out;
   const auto candidates = punctures_by_safety(t);
-  int tried = 0;
-  for (const Vertex puncture : candidates) {
-    if (tried++ == max_punctures) {
-      break;
-    }
+  const std::size_t attempts = std::min(candidates.size(), max_punctures) + 1;
+  for (std::size_t attempt = 0; attempt < attempts && !candidates.empty(); ++attempt) {
+    // The first puncture gets a few steps from a good start before the safe one.
+    const bool first = attempt == 0;
+    const Vertex puncture = candidates[first ? 0 : attempt - 1];
     u.assign(t.connectivity.vertex_count(), 0);
-    if (tried > 1) {
+    if (!first) {
       MetricSolver(Space{0}, t, u, std::vector<VertexRole>(u.size(), VertexRole::Held))
           .flip_to_delaunay();
       if (!star_safety(t, puncture)) {
         continue;
       }
     }
-    PuncturedPlane plane(t, u, puncture);
-    const auto result = plane.solve(watch);
+    using Start = PuncturedPlane::Start;
+    PuncturedPlane plane(t, u, puncture, first ? Start::Inverted : Start::Input);
+    const auto result = plane.solve(first ? max_inverted_steps : max_plane_steps, watch);
     out.iterations += result.iterations;
     out.max_angle_error = result.max_angle_error;
     if (!result.converged) {

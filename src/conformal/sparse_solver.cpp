@@ -1,5 +1,7 @@
 #include "conformal/sparse_solver.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>  // MetisSupport forgets it
 
 #include <Eigen/MetisSupport>
@@ -7,34 +9,45 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "conformal/krylov.h"
+#include "conformal/multigrid.h"
+
 namespace ucvt {
 namespace {
 
 /// Nested dissection pays from this size on; below, minimum degree orders in no time.
 constexpr Eigen::Index least_dissected = 2000;
 
-/// Conjugate gradients: their tolerance, and the iterations after which a factorization of the matrix
-/// itself is as cheap.
-constexpr double relative_residual = 1e-6;
-constexpr int most_iterations = 25, refactor_after = 12;
+/// Iterations under one preconditioner after which to give up, and after which the next system is
+/// better served by a new one.
+constexpr int most_under_multigrid = 100, renew_multigrid_after = 40;
+constexpr int most_under_factors = 25, renew_factors_after = 12;
 
-struct Triplet {
-  const SymmetricEntries::Entry* entry;
-  [[nodiscard]] int row() const { return entry->row; }
-  [[nodiscard]] int col() const { return entry->column; }
-  [[nodiscard]] double value() const { return entry->value; }
-  const Triplet* operator->() const { return this; }
-  Triplet& operator++() {
-    ++entry;
-    return *this;
-  }
-  bool operator!=(const Triplet& o) const { return entry != o.entry; }
-};
+/// What the residual is reduced to at least where the factors are at hand.
+constexpr double under_factors = 1e-6;
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 using Natural = Eigen::NaturalOrdering<int>;
+
+Matrix lower_triangle(const SymmetricMatrix& a) {
+  const auto n = static_cast<Eigen::Index>(a.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(a.size() + a.column.size() / 2);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const int row = static_cast<int>(i);
+    entries.emplace_back(row, row, a.diagonal[i]);
+    a.for_row(i, [&](std::size_t j, double value) {
+      if (j < i) {
+        entries.emplace_back(row, static_cast<int>(j), value);
+      }
+    });
+  }
+  Matrix out(n, n);
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
 
 Permutation elimination_order(const Matrix& lower) {
   Permutation inverse;
@@ -50,93 +63,109 @@ Permutation elimination_order(const Matrix& lower) {
 }  // namespace
 
 struct SymmetricSolver::State {
+  enum class Kind { None, Multigrid, Factors } kind = Kind::None;
+  bool multigrid_fails = false;
+  Multigrid multigrid;
   Permutation order;
   Eigen::SimplicialLLT<Matrix, Eigen::Lower, Natural> factors;
-  bool has_factors = false;
+  bool worn = false;
 
-  /// The whole matrix in the order of elimination.
-  Matrix ordered(const SymmetricEntries& matrix) {
-    Matrix lower(matrix.size(), matrix.size());
-    const auto& e = matrix.entries();
-    lower.setFromTriplets(Triplet{e.data()}, Triplet{e.data() + e.size()});
+  Matrix ordered(const SymmetricMatrix& a) {
+    const Matrix lower = lower_triangle(a);
     if (order.size() != lower.rows()) {
       order = elimination_order(lower);
-      has_factors = false;
     }
     Matrix out(lower.rows(), lower.rows());
-    out = lower.selfadjointView<Eigen::Lower>().twistedBy(order);
+    out.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order);
     return out;
   }
 
-  /// Conjugate gradients from zero, preconditioned by the factors at hand; false: not converged.
-  bool iterate(const Matrix& a, const Vector& b, Vector& x) {
-    x.setZero(b.size());
-    Vector r = b, z = factors.solve(r), p = z, ap;
-    double rz = r.dot(z);
-    const double wanted = relative_residual * relative_residual * rz;
-    for (int k = 1; k <= most_iterations; ++k) {
-      ap = a * p;
-      const double curvature = p.dot(ap);
-      if (!(curvature > 0)) {
+  /// Makes a preconditioner of the matrix; false when it has none.
+  bool renew(const SymmetricMatrix& a) {
+    worn = false;
+    if (a.size() >= least_iterated && !multigrid_fails) {
+      kind = Kind::Multigrid;
+      if (multigrid.build(a)) {
+        return true;
+      }
+      multigrid_fails = true;
+    }
+    kind = Kind::Factors;
+    factors.compute(ordered(a));
+    kind = factors.info() == Eigen::Success ? Kind::Factors : Kind::None;
+    return kind == Kind::Factors;
+  }
+
+  void apply(const std::vector<double>& b, std::vector<double>& x) {
+    if (kind == Kind::Multigrid) {
+      multigrid.apply(b, x);
+      return;
+    }
+    const auto n = static_cast<Eigen::Index>(b.size());
+    const Vector y = factors.solve(order * Eigen::Map<const Vector>(b.data(), n));
+    Eigen::Map<Vector>(x.data(), n) = order.inverse() * y;
+  }
+
+  /// Iterates with the preconditioner at hand, then with new ones; `made_of` is what those are made of.
+  template <class Method>
+  bool iterate(const Method& method, const SymmetricMatrix& a, const SymmetricMatrix& made_of,
+               const std::vector<double>& b, double reduction, std::vector<double>& x) {
+    const Preconditioner m = [this](const auto& from, auto& to) { apply(from, to); };
+    for (;;) {
+      const bool fresh = kind == Kind::None || worn;
+      if (fresh && !renew(made_of)) {
         return false;
       }
-      const double step = rz / curvature;
-      x += step * p;
-      r -= step * ap;
-      z = factors.solve(r);
-      const double next = r.dot(z);
-      if (!(next > wanted)) {
-        has_factors = k <= refactor_after;
-        return next <= wanted;
+      const bool by_multigrid = kind == Kind::Multigrid;
+      const int limit = by_multigrid ? most_under_multigrid : most_under_factors;
+      // Under factors there is little to save.
+      const double wanted = by_multigrid ? reduction : std::min(reduction, under_factors);
+      const KrylovResult done = method(a, m, b, wanted, limit, x);
+      if (done.converged) {
+        worn = done.iterations > (by_multigrid ? renew_multigrid_after : renew_factors_after);
+        return true;
       }
-      p = z + next / rz * p;
-      rz = next;
+      if (fresh && kind == Kind::Factors) {
+        return false;
+      }
+      multigrid_fails = multigrid_fails || fresh;
+      worn = true;
     }
-    return false;
   }
 };
 
 SymmetricSolver::SymmetricSolver() : state_(std::make_unique<State>()) {}
 SymmetricSolver::~SymmetricSolver() = default;
 
-bool SymmetricSolver::solve_positive_definite(const SymmetricEntries& matrix,
-                                              const std::vector<double>& right,
+bool SymmetricSolver::solve_positive_definite(const SymmetricMatrix& matrix,
+                                              const std::vector<double>& right, double reduction,
                                               std::vector<double>& solution) {
-  State& s = *state_;
-  solution.assign(right.size(), 0);
-  if (right.empty()) {
-    return true;
-  }
-  const Matrix a = s.ordered(matrix);
-  const auto n = static_cast<Eigen::Index>(right.size());
-  const Vector b = s.order * Eigen::Map<const Vector>(right.data(), n);
-  Vector x;
-  if (!s.has_factors || !s.iterate(a, b, x)) {
-    s.factors.compute(a);
-    s.has_factors = s.factors.info() == Eigen::Success;
-    if (!s.has_factors) {
-      return false;
-    }
-    x = s.factors.solve(b);
-  }
-  Eigen::Map<Vector>(solution.data(), n) = s.order.inverse() * x;
-  return true;
+  return state_->iterate(conjugate_gradients, matrix, matrix, right, reduction, solution);
 }
 
-bool SymmetricSolver::solve(const SymmetricEntries& matrix, const std::vector<double>& right,
-                            std::vector<double>& solution) {
-  solution.assign(right.size(), 0);
-  if (right.empty()) {
-    return true;
+bool SymmetricSolver::solve(const SymmetricMatrix& matrix, const std::vector<double>& right,
+                            double reduction, std::vector<double>& solution) {
+  if (matrix.size() >= least_iterated && !state_->multigrid_fails) {
+    // What is positive in the matrix is its part that is like a Laplacian.
+    SymmetricMatrix dominant = matrix;
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      double sum = 0;
+      matrix.for_row(i, [&](std::size_t, double value) { sum += std::abs(value); });
+      dominant.diagonal[i] = std::max(sum, matrix.diagonal[i]);
+    }
+    if (state_->iterate(minimal_residuals, matrix, dominant, right, reduction, solution)) {
+      return true;
+    }
   }
-  const Matrix a = state_->ordered(matrix);
-  const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Natural> factors(a);
+  const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Natural> factors(state_->ordered(matrix));
   if (factors.info() != Eigen::Success) {
     return false;
   }
   const auto n = static_cast<Eigen::Index>(right.size());
-  const Vector x = factors.solve(state_->order * Eigen::Map<const Vector>(right.data(), n));
-  Eigen::Map<Vector>(solution.data(), n) = state_->order.inverse() * x;
+  const Permutation& order = state_->order;
+  const Vector x = factors.solve(order * Eigen::Map<const Vector>(right.data(), n));
+  solution.resize(right.size());
+  Eigen::Map<Vector>(solution.data(), n) = order.inverse() * x;
   return true;
 }
 

@@ -1,38 +1,18 @@
-// Sparse symmetric systems: the one place that knows which library solves them.
+// Sparse symmetric systems: the one place that knows how they are solved.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "conformal/symmetric_matrix.h"
+
 namespace ucvt {
-
-/// The lower triangle of a symmetric matrix, as a sum of entries in any order. Entries with a
-/// negative index are dropped, so that unknowns held fixed need no care.
-class SymmetricEntries {
- public:
-  struct Entry {
-    std::int32_t row, column;
-    double value;
-  };
-  explicit SymmetricEntries(std::int32_t size) : size_(size) {}
-  void add(std::int32_t p, std::int32_t q, double value) {
-    if (p >= 0 && q >= 0) {
-      entries_.push_back(p >= q ? Entry{p, q, value} : Entry{q, p, value});
-    }
-  }
-  [[nodiscard]] std::int32_t size() const { return size_; }
-  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-
- private:
-  std::int32_t size_;
-  std::vector<Entry> entries_;
-};
 
 /// Solves a sequence of systems whose matrices have one size and change little from one to the next.
 ///
-/// The order of elimination is found once, by nested dissection (METIS). A factorization serves the
-/// matrices after its own as the preconditioner of conjugate gradients, until those take too long.
+/// Large ones by conjugate gradients, or minimal residuals, under a multigrid cycle that serves as
+/// long as it is good; small ones, and those on which that fails, by a factorization, its
+/// order of elimination found once by nested dissection (METIS).
 class SymmetricSolver {
  public:
   SymmetricSolver();
@@ -40,14 +20,18 @@ class SymmetricSolver {
   SymmetricSolver& operator=(const SymmetricSolver&) = delete;
   ~SymmetricSolver();
 
-  /// Solves a positive definite system to a relative residual of 1e-6, or directly. Returns false
+  /// Solves a positive definite system at least to the relative residual `reduction`. Returns false
   /// when the matrix is not positive definite to rounding.
-  bool solve_positive_definite(const SymmetricEntries& matrix, const std::vector<double>& right,
-                               std::vector<double>& solution);
+  bool solve_positive_definite(const SymmetricMatrix& matrix, const std::vector<double>& right,
+                               double reduction, std::vector<double>& solution);
 
-  /// Solves directly by an LDL^T factorization. Returns false when the matrix is singular.
-  bool solve(const SymmetricEntries& matrix, const std::vector<double>& right,
+  /// The same for a matrix with few eigenvalues that are not positive. Returns false when it is
+  /// singular.
+  bool solve(const SymmetricMatrix& matrix, const std::vector<double>& right, double reduction,
              std::vector<double>& solution);
+
+  /// Unknowns from which on iterations are tried.
+  static constexpr std::size_t least_iterated = 3000;
 
  private:
   struct State;

@@ -56,7 +56,8 @@ Solution solve_plane(IntrinsicTriangulation& t, double area, const MetricSolver:
   role[0] = VertexRole::Held;
   // Flat metrics scale freely: this one keeps the surface's area.
   Solution out{std::vector<double>(role.size(), 0.0), {}};
-  out.result = MetricSolver(Space{0}, t, out.u, role).solve(1e-11, max_newton_steps, watch);
+  out.result =
+      MetricSolver(Space{0}, t, out.u, role).solve(angle_tolerance, max_newton_steps, watch);
   double total = 0;
   const auto& c = t.connectivity;
   for (std::size_t f = 0; f < c.face_count(); ++f) {
@@ -80,7 +81,7 @@ Solution solve_hyperbolic(IntrinsicTriangulation& t, double area,
   const std::size_t n = t.connectivity.vertex_count();
   Solution out{std::vector<double>(n, std::log(target / area) / 2), {}};
   MetricSolver solver({-1}, t, out.u, std::vector<VertexRole>(n, VertexRole::Solved));
-  out.result = solver.solve(1e-11, max_newton_steps, watch);
+  out.result = solver.solve(angle_tolerance, max_newton_steps, watch);
   return out;
 }
 

@@ -227,6 +227,14 @@ TEST(Uniformize, TheSphereIsBalanced) {
   EXPECT_LT(u.report.log_scale_max - u.report.log_scale_min, 1e-6);
 }
 
+TEST(Uniformize, FewStepsFromAnInversion) {
+  // Large enough for multigrid; from the input's metric it takes twice as many steps.
+  const TriangleMesh mesh = oracle::bumpy(oracle::icosphere(5), 0.01, 3);
+  const Uniformized u = uniformize_surface(oracle::closed(mesh), {});
+  expect_uniform(u);
+  EXPECT_LE(u.report.newton_iterations, 5);
+}
+
 TEST(Uniformize, RefusesAPointAndStopsWhenTold) {
   EXPECT_THROW(uniformize_surface(oracle::closed(oracle::scaled(oracle::cube(), 0)), {}),
                InvalidInput);
@@ -272,6 +280,16 @@ TEST(MetricSolver, ConvergesQuadraticallyNearTheSolution) {
     }
     EXPECT_LE(result.iterations, 5);
   }
+}
+
+TEST(MetricSolver, CountsVerticesHeldToFixAnIsometry) {
+  const Uniformized torus = uniformize_surface(oracle::closed(oracle::grid_torus(9, 7)), {});
+  Trial trial{torus.intrinsic, torus.log_scale};
+  std::vector<VertexRole> role(trial.u.size(), VertexRole::Held);
+  trial.u[0] += 0.1;
+  const auto result = MetricSolver({0}, trial.t, trial.u, role).solve(1e-11, 5, {});
+  EXPECT_FALSE(result.converged);
+  EXPECT_GT(result.max_angle_error, 0.01);
 }
 
 TEST(MetricSolver, AngleSumsAreThoseOfTheSurface) {
