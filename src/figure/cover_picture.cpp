@@ -33,8 +33,6 @@ constexpr const char *shade = "#e3e6eb", *shade_edge = "#8b93a1", *copy_ink = "#
 constexpr double least_edge = 0.35, least_dot = 0.3;
 
 Projection projection_of(double kappa, CoverCoordinates c) {
-  // The torus and its coordinates are checked where all are.
-  coordinates_of(kappa, DeckMap{}, c);
   if (kappa == 0) {
     return Projection::Plane;
   }
@@ -361,6 +359,7 @@ void Sheet::draw_dots(Svg& svg, const CoverCells& cells) const {
 }  // namespace
 
 std::string cover_picture(const Cover& cover, const CoverPictureOptions& options) {
+  require_coordinates(cover.group().genus, options.coordinates);
   Sheet sheet(cover, options);
   const auto inside = [&](Svg& svg) {
     if (options.mesh_edges) {
@@ -382,6 +381,7 @@ std::string cell_cover_picture(const RemeshResult& result, const CoverPictureOpt
     picture.width = options.width, picture.title = options.title;
     return space_picture(space, picture);
   }
+  require_coordinates(result.report.genus, options.coordinates);
   const Cover cover(result.surface);
   Sheet sheet(cover, options);
   const CoverCells cells = cover_cells(result, &sheet.polygon(), &cover);
