@@ -4,7 +4,8 @@
 //   ucvt_bench_fig19 MESH OUT_FOLDER [--lloyd K]
 //
 // Both methods start from random sites. The restricted diagram gets K (20) Lloyd iterations with the
-// centroids of its cells; ucvt runs as it does by default. Meshes: rvd_N.off and ucvt_N.off.
+// centroids of its cells; ucvt runs as it does by default. Meshes: rvd_N.off and ucvt_N.off; pictures
+// of the two that the paper compares, whole and opened: figure-19a.svg to figure-19d.svg.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -18,7 +19,9 @@
 #include <fmt/format.h>
 
 #include "restricted_voronoi/restricted_voronoi.h"
+#include "ucvt/figure.h"
 #include "ucvt/remesh.h"
+#include "ucvt/surface_figure.h"
 
 namespace {
 
@@ -26,6 +29,7 @@ using ucvt::Position;
 
 constexpr int rvd_sites[] = {200, 1000, 2000, 4000, 8000, 16000, 32000};
 constexpr int ucvt_sites[] = {200, 1000, 2000, 4000};
+constexpr int rvd_shown = 4000, ucvt_shown = 2000;
 
 double uniform(std::mt19937_64& random) {
   return static_cast<double>(random() >> 11) * 0x1.0p-53;
@@ -71,6 +75,28 @@ void print_row(std::string_view method, int sites, std::string_view parts,
   std::fflush(stdout);
 }
 
+/// The mesh without its upper half, so that the tube inside is seen.
+ucvt::TriangleMesh lower_half(const ucvt::TriangleMesh& mesh) {
+  ucvt::TriangleMesh out{mesh.positions, {}};
+  for (const ucvt::Corners& f : mesh.faces) {
+    double z = 0;
+    for (const std::int32_t v : f) {
+      z += mesh.positions[static_cast<std::size_t>(v)][2];
+    }
+    if (z < 0) {
+      out.faces.push_back(f);
+    }
+  }
+  return out;
+}
+
+void draw(const ucvt::TriangleMesh& mesh, const std::string& whole, const std::string& opened) {
+  ucvt::SurfacePictureOptions options{{-20, 35, 0}, 600};
+  ucvt::write_figure(whole, mesh_picture(mesh, ucvt::MeshStyle::HiddenLines, options));
+  options.camera.lat_deg = 60;
+  ucvt::write_figure(opened, mesh_picture(lower_half(mesh), ucvt::MeshStyle::HiddenLines, options));
+}
+
 void by_distance_in_space(const ucvt::TriangleMesh& mesh, int n, int lloyd,
                           const std::string& folder) {
   std::vector<Position> sites = random_points(mesh, n);
@@ -85,6 +111,9 @@ void by_distance_in_space(const ucvt::TriangleMesh& mesh, int n, int lloyd,
       std::ranges::count_if(d.cells, [](const auto& cell) { return cell.parts > 1; });
   const ucvt::TriangleMesh dual{sites, d.dual};
   write_mesh(fmt::format("{}/rvd_{}.off", folder, n), dual);
+  if (n == rvd_shown) {
+    draw(dual, folder + "/figure-19a.svg", folder + "/figure-19c.svg");
+  }
   print_row("restricted Voronoi", n, fmt::format("{}", in_parts), dual);
 }
 
@@ -93,6 +122,9 @@ void in_the_universal_cover(const ucvt::ClosedSurface& surface, int n, const std
   options.sites = n;
   const ucvt::RemeshResult r = remesh(surface, options);
   write_mesh(fmt::format("{}/ucvt_{}.off", folder, n), r.mesh);
+  if (n == ucvt_shown) {
+    draw(r.mesh, folder + "/figure-19b.svg", folder + "/figure-19d.svg");
+  }
   print_row("ucvt", n, "0", r.mesh);
 }
 
