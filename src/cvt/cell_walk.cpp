@@ -1,6 +1,7 @@
 #include "cvt/cell_walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ucvt {
 namespace {
@@ -42,7 +43,7 @@ bool CellWalk::is_developed(Halfedge h, const Offset& u, const Offset& v) const 
   if (t_.space().kappa > 0) {
     return true;
   }
-  const double near = same_lift2(u, t_.chord(h) * t_.chord(h));
+  const double near = same_lift2(t_.chord(h) * t_.chord(h), lift_rounding(t_.space(), u, reach_));
   for (std::int32_t i = newest_[g]; i >= 0; i = developed_[static_cast<std::size_t>(i)].older) {
     const auto& corner = developed_[static_cast<std::size_t>(i)].place.corner;
     if (chord2(t_.space(), corner[j], u) < near &&
@@ -78,6 +79,11 @@ void CellWalk::cross_into(std::size_t from, std::size_t side,
 const std::vector<CellWalk::Developed>& CellWalk::faces(const Place& place,
                                                         const std::vector<Offset>& neighbours) {
   ++cell_;
+  double farthest = 0;
+  for (const Offset& n : neighbours) {
+    farthest = std::max(farthest, n.h);
+  }
+  reach_ = std::sqrt(2 * farthest);
   developed_.clear();
   auto& first = add(place.face);
   for (std::size_t i = 0; i < 3; ++i) {

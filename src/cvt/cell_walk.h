@@ -16,12 +16,18 @@ inline double beyond_bisector(Space s, const Offset& p, const Offset& neighbour)
   return neighbour.x * p.x + neighbour.y * p.y - neighbour.h * model_z(s, p);
 }
 
+/// Rounding of a point that was carried along in the frame of a site, at the offsets that its cell
+/// spans: `reach` is the chord to the farthest neighbour.
+inline double lift_rounding(Space s, const Offset& p, double reach) {
+  constexpr double rounding = 4e-15;
+  return rounding * (reach + std::abs(p.x) + std::abs(p.y)) * std::abs(model_z(s, p));
+}
+
 /// Bound on the squared chord between what are two computations of one lift of a point, at the end of
-/// an edge of the given squared chord; other lifts are farther apart. Far from the frame's origin
-/// rounding is a part of the coordinates, however small the edge.
-inline double same_lift2(const Offset& p, double edge2) {
-  constexpr double edge_part = 1e-3, rounding = 1e-12;
-  return edge_part * edge2 + rounding * rounding * (p.x * p.x + p.y * p.y);
+/// an edge of the given squared chord; other lifts are farther apart.
+inline double same_lift2(double edge2, double rounding) {
+  constexpr double edge_part = 1e-3;
+  return edge_part * edge2 + rounding * rounding;
 }
 
 class CellWalk {
@@ -52,6 +58,7 @@ class CellWalk {
   std::vector<std::uint32_t> stamp_;
   std::vector<std::int32_t> newest_;
   std::uint32_t cell_ = 0;
+  double reach_ = 0;  // chord to the farthest neighbour of the site at hand
   std::vector<Developed> developed_;
 };
 

@@ -16,9 +16,8 @@ namespace {
 /// they are, and handing a vertex on ends.
 constexpr double least_gain = 1e-14;
 
-/// Two points of a frame are the ends of an edge when their squared chord is its own within this part;
-/// rounding is a part of edge times squared coordinates.
-constexpr double same_chord2 = 1e-3, chord2_rounding = 1e-12;
+/// Two points of a frame are the ends of an edge when their squared chord is its own within this part.
+constexpr double same_chord2 = 1e-3;
 
 /// Faces of one task. Fixed, so that sums do not depend on the number of threads.
 constexpr std::size_t chunk_size = 2048;
@@ -47,12 +46,14 @@ Stars::Stars(const DelaunayTriangulation& d) {
   neighbour_.reserve(c.halfedge_count());
   for (std::size_t i = 0; i < c.vertex_count(); ++i) {
     first_.push_back(offset_.size());
-    double least = HUGE_VAL;
+    double least = HUGE_VAL, most = 0;
     c.for_outgoing({static_cast<std::int32_t>(i)}, [&](Halfedge h) {
       offset_.push_back(d.offset(h));
       neighbour_.push_back({d.frame_change(h), c.head(h)});
       least = std::min(least, d.offset(h).h);
+      most = std::max(most, d.offset(h).h);
     });
+    reach_.push_back(std::sqrt(2 * most));
     inner_h_.push_back(half_way(d.space(), least));
   }
   first_.push_back(offset_.size());
@@ -154,21 +155,32 @@ class SurfaceCells::Sweep {
     return cells_.lifts_[t_.connectivity().origin(halfedges(f)[i]).index()];
   }
 
-  /// True when p and q, in one frame, can be the ends of h: lifts of another edge are farther apart.
-  [[nodiscard]] bool joins(Halfedge h, const Offset& p, const Offset& q) const {
+  /// True when p and q, in the frame of the site, can be the ends of h: lifts of another edge are
+  /// farther apart.
+  [[nodiscard]] bool joins(Halfedge h, Vertex site, const Offset& p, const Offset& q) const {
     if (space_.kappa > 0) {
       return true;
     }
-    const double wanted = t_.chord(h) * t_.chord(h);
-    const double rounding = chord2_rounding * t_.chord(h) * (p.x * p.x + p.y * p.y);
-    return std::abs(chord2(space_, p, q) - wanted) < same_chord2 * wanted + rounding;
+    const double chord = t_.chord(h), gap = std::abs(chord2(space_, p, q) - chord * chord);
+    if (gap < same_chord2 * chord * chord) {
+      return true;
+    }
+    const double rounding = lift_rounding(space_, p, cells_.stars_.reach(site));
+    return gap < rounding * (2 * chord + rounding);
+  }
+
+  /// Bound on the squared chord between two lifts of corner 0 of the face that are one.
+  [[nodiscard]] double near2(Face f, Vertex site, const Offset& p) const {
+    const double chord = t_.chord(halfedges(f)[0]);
+    return same_lift2(chord * chord, lift_rounding(space_, p, cells_.stars_.reach(site)));
   }
 
   void add(Face f, std::vector<Share>& out) {
     const Lift &a = lift(f, 0), &b = lift(f, 1), &c = lift(f, 2);
     if (a.owner == b.owner && b.owner == c.owner) {
       const auto side = halfedges(f);
-      if (joins(side[0], a.at, b.at) && joins(side[1], b.at, c.at) && joins(side[2], c.at, a.at)) {
+      if (joins(side[0], a.owner, a.at, b.at) && joins(side[1], a.owner, b.at, c.at) &&
+          joins(side[2], a.owner, c.at, a.at)) {
         of(a.owner, out) += moments_of(mass_.weights(f), {a.at, b.at, c.at});
         return;
       }
@@ -193,7 +205,7 @@ class SurfaceCells::Sweep {
     const auto side = halfedges(f);
     const auto neighbours = cells_.stars_.neighbours(at.owner);
     const auto offsets = cells_.stars_.offsets(at.owner);
-    if (at.owner == next.owner || !joins(side[j], next.at, last.at)) {
+    if (at.owner == next.owner || !joins(side[j], next.owner, next.at, last.at)) {
       return false;
     }
     Triangle corner;
@@ -203,7 +215,8 @@ class SurfaceCells::Sweep {
       if (neighbours[across].site == next.owner) {
         corner[j] = neighbours[across].frame.apply(space_, next.at);
         corner[k] = neighbours[across].frame.apply(space_, last.at);
-        if (joins(side[i], at.at, corner[j]) && joins(side[k], corner[k], at.at)) {
+        if (joins(side[i], at.owner, at.at, corner[j]) &&
+            joins(side[k], at.owner, corner[k], at.at)) {
           break;
         }
       }
@@ -245,13 +258,13 @@ class SurfaceCells::Sweep {
   /// its own lift there, or in the cell of a neighbour.
   [[nodiscard]] std::optional<Offset> other_end(Halfedge h, const Lift& from,
                                                 const Lift& other) const {
-    if (other.owner == from.owner && joins(h, from.at, other.at)) {
+    if (other.owner == from.owner && joins(h, from.owner, from.at, other.at)) {
       return other.at;
     }
     for (const Stars::Neighbour& n : cells_.stars_.neighbours(from.owner)) {
       if (n.site == other.owner) {
         const Offset p = n.frame.apply(space_, other.at);
-        if (joins(h, from.at, p)) {
+        if (joins(h, from.owner, from.at, p)) {
           return p;
         }
       }
@@ -272,7 +285,7 @@ class SurfaceCells::Sweep {
       return std::nullopt;
     }
     out[next] = p ? *p : t_.develop(t_.connectivity().twin(side[last]), at.at, *q);
-    out[last] = q && (!p || joins(side[next], *p, *q))
+    out[last] = q && (!p || joins(side[next], at.owner, *p, *q))
                     ? *q
                     : t_.develop(t_.connectivity().twin(side[i]), *p, at.at);
     return out;
@@ -286,13 +299,19 @@ class SurfaceCells::Sweep {
     }
     const auto offsets = cells_.stars_.offsets(at.owner);
     neighbours_.assign(offsets.begin(), offsets.end());
-    const double near = same_lift2(at.at, t_.chord(halfedges(f)[0]) * t_.chord(halfedges(f)[0]));
+    // The nearest lift: others are farther than rounding has carried this one.
+    const CellWalk::Developed* best = nullptr;
+    double least = HUGE_VAL;
     for (const auto& d : walk_->faces(places_[at.owner.index()], neighbours_)) {
-      if (d.place.face == f && chord2(space_, d.place.corner[0], at.at) < near) {
-        return d.place.corner;
+      const double gap = d.place.face == f ? chord2(space_, d.place.corner[0], at.at) : HUGE_VAL;
+      if (gap < least) {
+        least = gap, best = &d;
       }
     }
-    throw NumericalError("a face of the surface was not met by the cell of its corner");
+    if (best == nullptr) {
+      throw NumericalError("a face of the surface was not met by the cell of its corner");
+    }
+    return best->place.corner;
   }
 
   [[nodiscard]] Visit first_visit(Face f) {
@@ -340,7 +359,7 @@ class SurfaceCells::Sweep {
 
   /// Whether the cell of the site, where it knows corner 0 at `first`, was visited.
   [[nodiscard]] bool was_visited(Face f, Vertex site, const Offset& first) const {
-    const double near = same_lift2(first, t_.chord(halfedges(f)[0]) * t_.chord(halfedges(f)[0]));
+    const double near = near2(f, site, first);
     return std::any_of(visits_.begin(), visits_.end(), [&](const Visit& old) {
       return old.site == site && (space_.kappa > 0 || chord2(space_, old.corner[0], first) < near);
     });

@@ -33,6 +33,8 @@ class Stars {
   }
   /// h of the points at the radius of the circle about the site that touches its cell's boundary.
   [[nodiscard]] double inner_h(Vertex site) const { return inner_h_[site.index()]; }
+  /// The chord to the farthest neighbour.
+  [[nodiscard]] double reach(Vertex site) const { return reach_[site.index()]; }
   [[nodiscard]] std::size_t site_count() const { return inner_h_.size(); }
 
  private:
@@ -42,7 +44,7 @@ class Stars {
   std::vector<std::size_t> first_;
   std::vector<Offset> offset_;
   std::vector<Neighbour> neighbour_;
-  std::vector<double> inner_h_;
+  std::vector<double> inner_h_, reach_;
 };
 
 class SurfaceCells {
