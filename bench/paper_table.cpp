@@ -68,22 +68,6 @@ ucvt::RemeshOptions lloyd_options(int sites, int iterations) {
   return out;
 }
 
-/// The energy of so many regular hexagons, small ones, fitted to the density: Gersho's bound,
-/// 5/(18 sqrt 3) (int sqrt rho)^2/N.
-double hexagonal_energy(const ucvt::RemeshResult& r) {
-  std::vector<double> root;
-  for (const double rho : r.density) {
-    root.push_back(std::sqrt(rho));
-  }
-  const ucvt::UniformSurface& t = r.surface.value().surface;
-  const ucvt::SurfaceMass mass(t, std::move(root));
-  double sum = 0;
-  for (std::size_t f = 0; f < t.connectivity().face_count(); ++f) {
-    sum += mass.weights({static_cast<std::int32_t>(f)}).mass;
-  }
-  return 5 / (18 * std::sqrt(3.0)) * sum * sum / static_cast<double>(r.sites.size());
-}
-
 /// How far the triangles of sites and copies, modulo the deck group, are those of D.
 std::string compared(const ucvt::paper::Lloyd& method, const ucvt::RemeshResult& r) {
   const auto expected = ucvt::paper::quotient(r.cells->delaunay);
@@ -111,8 +95,8 @@ Measured by_ucvt(const ucvt::ClosedSurface& surface, const ucvt::RemeshResult& s
   options.iterations = 0;
   remesh(surface, options);
   const double iterating = middle - begin - (processor_seconds() - middle);
-  return {iterating / table_iterations, r.cvt.energy.back() / hexagonal_energy(r),
-          r.cell_area_3d.cv, "all"};
+  return {iterating / table_iterations, r.cvt.energy.back() / r.hexagonal_energy, r.cell_area_3d.cv,
+          "all"};
 }
 
 Measured by_the_paper(const ucvt::ClosedSurface& surface, const ucvt::RemeshResult& start,
@@ -126,7 +110,7 @@ Measured by_the_paper(const ucvt::ClosedSurface& surface, const ucvt::RemeshResu
   }
   const ucvt::RemeshResult r = remesh(surface, options);
   return {(time.diagrams + time.centroids) / time.iterations,
-          r.cvt.energy.front() / hexagonal_energy(r), r.cell_area_3d.cv, compared(method, r)};
+          r.cvt.energy.front() / r.hexagonal_energy, r.cell_area_3d.cv, compared(method, r)};
 }
 
 /// Processor seconds of a remesh with default settings on one thread, from the mesh to the dual.

@@ -88,6 +88,9 @@ struct RemeshResult {
   std::vector<double> density;  ///< at the vertices of T
   std::vector<double> size;     ///< cell size asked for at T's vertices; 1: as all, 1/2: half that
   CvtReport cvt;
+  /// Of so many small regular hexagons fitted to the density, 5/(18 sqrt 3) (int sqrt rho)^2/N: the least
+  /// energy for large N (Gersho 1979).
+  double hexagonal_energy = 0;
   UniformityReport uniformity;
   Spread cell_area_3d;  ///< cell areas on the input surface, in its units
   RemeshReport report;

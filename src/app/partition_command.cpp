@@ -22,6 +22,7 @@ std::string summary(const RemeshResult& result, const Partition& p, Clock::time_
        {"genus", fmt::format("{}", result.report.genus)},
        {"geometry", result.surface.report().geometry},
        {"iterations", fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
+       {"energy", fmt::format("{:.4f} of small regular hexagons", energy_over_hexagonal(result))},
        {"hexagons", fmt::format("{:.2f} % of the cells", 100 * result.uniformity.hexagons)},
        {"cv", fmt::format("{:.4f} of the cell areas on the input, which go from {:.4f} to {:.4f} "
                           "of their mean",

@@ -25,6 +25,7 @@ std::string summary(const RemeshResult& result, Clock::time_point start) {
        {"genus", count(remesh.genus)},
        {"geometry", result.surface.report().geometry},
        {"iterations", fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
+       {"energy", fmt::format("{:.4f} of small regular hexagons", energy_over_hexagonal(result))},
        {"angles",
         fmt::format("smallest {:.2f}, smallest on average {:.2f} degrees, {:.2f} % of the "
                     "triangles below 30",

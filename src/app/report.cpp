@@ -95,6 +95,7 @@ Json quality_report(const MeshQuality& quality) {
 
 void add_remesh_report(Json& report, const RemeshResult& result) {
   report["cvt"] = cvt_report(result.cvt);
+  report["cvt"]["energy_over_hexagonal"] = energy_over_hexagonal(result);
   report["uniformity"] = uniformity_report(result.uniformity);
   report["surface"] = {{"cell_area", spread_report(result.cell_area_3d)}};
   Json remesh = {{"vertices", result.report.vertices},
@@ -127,6 +128,10 @@ void add_space_report(Json& report, const std::string& domain, const SpaceResult
   report["initial_uniformity"] = uniformity_report(result.initial_uniformity);
   report["uniformity"] = uniformity_report(result.uniformity);
   report["quadrature_error"] = result.quadrature_error;
+}
+
+double energy_over_hexagonal(const RemeshResult& result) {
+  return result.cvt.energy.empty() ? 0 : result.cvt.energy.back() / result.hexagonal_energy;
 }
 
 double energy_over_hexagonal(const SpaceResult& result) {

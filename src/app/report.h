@@ -54,6 +54,9 @@ int threads_used(int asked);
 /// The final energy over that of as many regular hexagons of the same total area in the plane.
 double energy_over_hexagonal(const SpaceResult& result);
 
+/// The final energy over that of small regular hexagons fitted to the density.
+double energy_over_hexagonal(const RemeshResult& result);
+
 /// What is to be said about sites that did not converge.
 std::string not_converged(const CvtReport& cvt, double tolerance);
 

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <queue>
+#include <utility>
+
+#include "cvt/surface_mass.h"
 
 namespace ucvt {
 
@@ -57,6 +61,20 @@ void limit_growth(const Uniformized& t, double growth, std::vector<double>& size
       }
     });
   }
+}
+
+double hexagonal_energy(const UniformSurface& t, const std::vector<double>& density,
+                        std::size_t sites) {
+  std::vector<double> root;
+  for (const double rho : density) {
+    root.push_back(std::sqrt(rho));
+  }
+  const SurfaceMass mass(t, std::move(root));
+  double sum = 0;
+  for (std::size_t f = 0; f < t.connectivity().face_count(); ++f) {
+    sum += mass.weights({static_cast<std::int32_t>(f)}).mass;
+  }
+  return 5 / (18 * std::numbers::sqrt3) * sum * sum / static_cast<double>(sites);
 }
 
 }  // namespace ucvt

@@ -16,6 +16,11 @@ std::vector<double> conformal_factor(const Uniformized& t);
 std::vector<double> sizing_density(const std::vector<double>& conformal_factor,
                                    const std::vector<double>& size);
 
+/// The energy of so many small regular hexagons fitted to the density at T's vertices,
+/// 5/(18 sqrt 3) (int sqrt rho)^2/N (Gersho 1979).
+double hexagonal_energy(const UniformSurface& t, const std::vector<double>& density,
+                        std::size_t sites);
+
 /// Lowers sizes until they grow by at most `growth` per unit of length on the input.
 void limit_growth(const Uniformized& t, double growth, std::vector<double>& size);
 

@@ -350,6 +350,7 @@ class Remesher {
                      mass_->density(),
                      size_,
                      cvt_,
+                     hexagonal_energy(t_.surface, mass_->density(), points.size()),
                      {},
                      {},
                      {}};

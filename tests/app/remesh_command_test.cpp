@@ -48,7 +48,8 @@ TEST(RemeshCommand, ReportHasAllKeys) {
                                          "ptolemy_flips", "refined_vertices", "max_angle_error",
                                          "area", "log_scale_min", "log_scale_max", "seconds"});
   expect_keys(report["cvt"], {"method", "sites", "iterations", "converged", "energy", "max_move",
-                              "seconds", "seconds_per_iteration"});
+                              "seconds", "seconds_per_iteration", "energy_over_hexagonal"});
+  EXPECT_NEAR(report["cvt"]["energy_over_hexagonal"], 1.01, 0.015);
   expect_keys(report["uniformity"], {"radius", "nearest", "area", "degree", "hexagons"});
   for (const char* measure : {"radius", "nearest", "area"}) {
     expect_keys(report["uniformity"][measure], spread);
