@@ -31,7 +31,7 @@ struct RemeshOptions {
   int refine_for = 0;                ///< refine T for this many sites; 0: for `sites`
   std::vector<double> initial_size;  ///< RemeshResult::size to start from; empty: 1 everywhere
   int iterations = 1000;             ///< evaluations of all cells, at most, after the initial state
-  double tolerance = 1e-4;           ///< of the largest move, relative to the site's spacing
+  double tolerance = 1e-3;           ///< of the largest move, relative to the site's spacing
   bool ensure_simplicial = true;     ///< add the few sites that a simplicial dual mesh needs
   int threads = 0;                   ///< 0: all cores; results do not depend on it
   Monitor monitor;
