@@ -49,11 +49,11 @@ struct JoinedReport {
 };
 JoinedReport joined_report(const std::vector<RemeshResult>& results);
 
-/// A partition of the whole mesh; its vertices and faces are those of `input_vertex` and the whole
-/// mesh.
+/// A partition of several components together; its input is what the components hold.
 struct JoinedPartition {
   Partition partition;
-  std::vector<std::int32_t> input_vertex;  ///< number in the whole mesh of each used vertex
+  std::vector<std::int32_t> input_vertex;  ///< number in the whole mesh of each input vertex
+  std::vector<std::int32_t> input_face;    ///< and of each input face; both ascend
 };
 JoinedPartition partition(const std::vector<Component>& components,
                           const std::vector<RemeshResult>& results);

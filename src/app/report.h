@@ -11,8 +11,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ucvt/components.h"
 #include "ucvt/cover.h"
 #include "ucvt/remesh.h"
+#include "ucvt/repair.h"
 #include "ucvt/spaces.h"
 
 namespace ucvt {
@@ -29,6 +31,13 @@ Json group_report(const DeckGroup& group);
 
 /// `cvt`, `uniformity`, `surface` and `remesh` of a result, put into a report.
 void add_remesh_report(Json& report, const RemeshResult& result);
+
+/// The same of several components together, and `components`, a list with all of it for each.
+void add_joined_report(Json& report, const std::vector<Component>& components,
+                       const std::vector<RemeshResult>& results, const JoinedReport& joined);
+
+/// `repair`: what was done to the mesh.
+Json repair_report(const RepairReport& repair);
 
 /// `space`, `cvt`, `uniformity` and their like of a tessellation of a space, put into a report.
 void add_space_report(Json& report, const std::string& domain, const SpaceResult& result,

@@ -56,30 +56,32 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 class PartitionJoiner {
  public:
   explicit PartitionJoiner(const std::vector<Component>& components) {
-    std::size_t faces = 0;
     for (const Component& c : components) {
       const std::vector<std::int32_t>& own = c.surface.input_vertex;
       out_.input_vertex.insert(out_.input_vertex.end(), own.begin(), own.end());
-      faces += c.input_face.size();
+      out_.input_face.insert(out_.input_face.end(), c.input_face.begin(), c.input_face.end());
     }
     std::sort(out_.input_vertex.begin(), out_.input_vertex.end());
+    std::sort(out_.input_face.begin(), out_.input_face.end());
     all().mesh.positions.resize(out_.input_vertex.size());
     all().vertex_cell.resize(out_.input_vertex.size());
-    all().face_cell.resize(faces);
+    all().face_cell.resize(out_.input_face.size());
   }
 
   void add(const Component& component, Partition&& part) {
     const auto first_cell = static_cast<std::int32_t>(all().cells.size());
     add_vertices(component, part, first_cell);
+    std::vector<std::int32_t> face;
     for (std::size_t f = 0; f < part.face_cell.size(); ++f) {
-      all().face_cell[index(component.input_face[f])] = part.face_cell[f] + first_cell;
+      face.push_back(place(out_.input_face, component.input_face[f]));
+      all().face_cell[index(face[f])] = part.face_cell[f] + first_cell;
     }
     for (std::size_t f = 0; f < part.mesh.faces.size(); ++f) {
       const Corners& c = part.mesh.faces[f];
       all().mesh.faces.push_back(
           {number_[index(c[0])], number_[index(c[1])], number_[index(c[2])]});
       all().cell.push_back(part.cell[f] + first_cell);
-      all().input_face.push_back(component.input_face[index(part.input_face[f])]);
+      all().input_face.push_back(face[index(part.input_face[f])]);
     }
     for (PartitionCell& cell : part.cells) {
       for (std::int32_t& neighbour : cell.neighbours) {
@@ -94,16 +96,18 @@ class PartitionJoiner {
 
  private:
   static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+  static std::int32_t place(const std::vector<std::int32_t>& ascending, std::int32_t number) {
+    const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
+    return static_cast<std::int32_t>(found - ascending.begin());
+  }
   Partition& all() { return out_.partition; }
 
   void add_vertices(const Component& component, const Partition& part, std::int32_t first_cell) {
     const std::vector<std::int32_t>& input = component.surface.input_vertex;
     number_.clear();
     for (std::size_t v = 0; v < input.size(); ++v) {
-      const auto place =
-          std::lower_bound(out_.input_vertex.begin(), out_.input_vertex.end(), input[v]);
-      const auto n = static_cast<std::size_t>(place - out_.input_vertex.begin());
-      number_.push_back(static_cast<std::int32_t>(n));
+      number_.push_back(place(out_.input_vertex, input[v]));
+      const std::size_t n = index(number_.back());
       all().mesh.positions[n] = part.mesh.positions[v];
       all().vertex_cell[n] = part.vertex_cell[v] + first_cell;
     }
@@ -148,6 +152,9 @@ TriangleMesh joined_mesh(const std::vector<RemeshResult>& results) {
 }
 
 JoinedReport joined_report(const std::vector<RemeshResult>& results) {
+  if (results.size() == 1) {
+    return {results[0].report, results[0].cvt, results[0].cell_area_3d};
+  }
   JoinedReport out;
   out.remesh.simplicial = out.cvt.converged = true;
   SpreadSum areas;
