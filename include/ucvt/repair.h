@@ -28,6 +28,7 @@ struct RepairReport {
   std::int64_t duplicate_faces = 0;   ///< faces dropped as copies of others
   std::int64_t split_edges = 0;       ///< of more than two faces, taken apart
   std::int64_t split_vertices = 0;    ///< copies made of vertices with several fans of faces
+  std::int64_t cut_edges = 0;         ///< middles made vertices, of edges that coincide
   std::int64_t reoriented_faces = 0;  ///< turned round
   std::int64_t closed_holes = 0;
   std::int64_t added_faces = 0;  ///< in those holes
@@ -38,9 +39,10 @@ struct RepairReport {
 };
 
 struct Repaired {
-  TriangleMesh mesh;  ///< the input's vertices under their numbers, then copies of some
-  std::vector<std::int32_t> input_vertex;  ///< of each vertex
-  std::vector<std::int32_t> input_face;    ///< of each face; -1: closes a hole
+  TriangleMesh
+      mesh;  ///< the input's vertices under their numbers, then copies of some, and middles
+  std::vector<std::int32_t> input_vertex;  ///< of each vertex; -1: the middle of an edge
+  std::vector<std::int32_t> input_face;    ///< of each face, or of its half; -1: closes a hole
   RepairReport report;
 };
 

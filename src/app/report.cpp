@@ -139,6 +139,7 @@ Json repair_report(const RepairReport& repair) {
           {"duplicate_faces", repair.duplicate_faces},
           {"split_edges", repair.split_edges},
           {"split_vertices", repair.split_vertices},
+          {"cut_edges", repair.cut_edges},
           {"reoriented_faces", repair.reoriented_faces},
           {"closed_holes", repair.closed_holes},
           {"added_faces", repair.added_faces},

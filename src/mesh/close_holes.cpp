@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_set>
 
 #include "mesh/boundary_loops.h"
@@ -27,6 +28,7 @@ class Closer {
       for (std::size_t i = 0; i < 3; ++i) {
         edges_.insert(edge(f[i], f[(i + 1) % 3]));
       }
+      triangles_.insert(sorted(f));
     }
     faces_.assign(r.mesh.positions.size(), 0);
     for (const Corners& f : r_.mesh.faces) {
@@ -49,6 +51,11 @@ class Closer {
   }
 
  private:
+  static Corners sorted(Corners f) {
+    std::sort(f.begin(), f.end());
+    return f;
+  }
+
   static std::uint64_t edge(std::int32_t a, std::int32_t b) {
     return std::uint64_t{static_cast<std::uint32_t>(std::min(a, b))} << 32 |
            static_cast<std::uint32_t>(std::max(a, b));
@@ -69,6 +76,10 @@ class Closer {
 
   bool may_close(const BoundaryLoop& loop) {
     const std::size_t n = loop.sides.size();
+    const auto& v = loop.vertices;
+    if (n == 3 && triangles_.contains(sorted({v[0], v[1], v[2]}))) {
+      return false;
+    }
     return n >= 3 && n <= most_edges &&
            least_faces_per_face * (n - 2) <=
                faces_[static_cast<std::size_t>(component_.find(loop.vertices[0]))];
@@ -87,6 +98,7 @@ class Closer {
       const auto v = [&](std::size_t i) { return loop.vertices[static_cast<std::size_t>(t[i])]; };
       r_.mesh.faces.push_back({v(0), v(1), v(2)});
       r_.input_face.push_back(-1);
+      triangles_.insert(sorted(r_.mesh.faces.back()));
       ++r_.report.added_faces;
       for (std::size_t i = 0; i < 3; ++i) {
         edges_.insert(edge(v(i), v((i + 1) % 3)));
@@ -100,12 +112,15 @@ class Closer {
   DisjointSets component_;
   std::vector<std::size_t> faces_;  // of each component, by its least vertex
   std::unordered_set<std::uint64_t> edges_;
+  std::set<Corners> triangles_;
 };
 
 }  // namespace
 
 void close_holes(Repaired& r, const RepairOptions& options) {
-  Closer(r, options).run();
+  if (survey(r.mesh).boundary_edges > 0) {
+    Closer(r, options).run();
+  }
 }
 
 }  // namespace ucvt

@@ -65,7 +65,8 @@ class Pairing {
  private:
   [[nodiscard]] std::vector<Wing> wings(std::span<const EdgeSide> sides) const {
     const std::int32_t first = sides[0].side;
-    const auto [low, high] = std::minmax(side_tail(mesh_, first), side_head(mesh_, first));
+    const std::int32_t low = std::min(side_tail(mesh_, first), side_head(mesh_, first));
+    const std::int32_t high = std::max(side_tail(mesh_, first), side_head(mesh_, first));
     const auto at = [&](std::int32_t v) { return mesh_.positions[static_cast<std::size_t>(v)]; };
     const Position origin = at(low);
     const Vector axis = unit(difference(at(high), origin));

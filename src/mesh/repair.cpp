@@ -11,7 +11,7 @@ namespace ucvt {
 
 bool RepairReport::changed() const {
   return welded_vertices + repeated_corners + duplicate_faces + split_vertices + reoriented_faces +
-             added_faces >
+             added_faces + cut_edges >
          0;
 }
 
@@ -23,6 +23,7 @@ Repaired repair(const TriangleMesh& mesh, const RepairOptions& options) {
   std::iota(r.input_vertex.begin(), r.input_vertex.end(), 0);
   std::iota(r.input_face.begin(), r.input_face.end(), 0);
   drop_repeated_corners(r);
+  drop_copies(r);
   weld_open_vertices(r, options.weld * survey(r.mesh).bbox_diagonal);
   drop_repeated_corners(r);
   drop_copies(r);
@@ -31,6 +32,7 @@ Repaired repair(const TriangleMesh& mesh, const RepairOptions& options) {
     close_holes(r, options);
   }
   split_fans(r, true);
+  cut_double_edges(r);
   return r;
 }
 
@@ -47,6 +49,7 @@ std::string summary_of(const RepairReport& report) {
   add(report.duplicate_faces, "dropped", "duplicate face", "duplicate faces");
   add(report.split_edges, "took apart", "non-manifold edge", "non-manifold edges");
   add(report.split_vertices, "added", "copy of a vertex", "copies of vertices");
+  add(report.cut_edges, "cut", "double edge", "double edges");
   add(report.reoriented_faces, "turned round", "face", "faces");
   if (report.closed_holes > 0) {
     done.push_back(fmt::format("closed {} with {}", counted(report.closed_holes, "hole", "holes"),

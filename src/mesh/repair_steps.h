@@ -19,6 +19,10 @@ void drop_copies(Repaired& r);
 /// being, unless `open_ones_too`: once holes are closed they may be one.
 void split_fans(Repaired& r, bool open_ones_too);
 
+/// Puts a vertex in the middle of all but one of the edges with the same two ends, where fans cannot
+/// be told apart: the surface touches itself along them.
+void cut_double_edges(Repaired& r);
+
 /// Turns faces round to agree with their neighbours, the fewer ones of each connected part; nothing
 /// where that is not possible. Gives whether it was.
 bool orient(Repaired& r);

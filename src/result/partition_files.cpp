@@ -63,7 +63,9 @@ void write_labels(const std::string& path, const Partition& p,
   OutputFile file(path);
   file.write("element,number,cell\n");
   for (std::size_t v = 0; v < p.vertex_cell.size(); ++v) {
-    file.write(fmt::format("vertex,{},{}\n", input_vertex[v], p.vertex_cell[v]));
+    if (input_vertex[v] >= 0) {
+      file.write(fmt::format("vertex,{},{}\n", input_vertex[v], p.vertex_cell[v]));
+    }
   }
   for (std::size_t f = 0; f < p.face_cell.size(); ++f) {
     const auto number = input_face.empty() ? static_cast<std::int32_t>(f) : input_face[f];
