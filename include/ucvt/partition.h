@@ -48,9 +48,11 @@ Partition partition(const RemeshResult& result);
 void write_partition(const std::string& path, const Partition& p);
 
 /// Writes `element,number,cell` for every vertex and every face of the input as CSV. Vertices are
-/// numbered by `input_vertex`, that of the ClosedSurface.
+/// numbered by `input_vertex`, that of the ClosedSurface, and faces by `input_face`, where it is not
+/// empty; those with a negative number are left out.
 void write_labels(const std::string& path, const Partition& p,
-                  const std::vector<std::int32_t>& input_vertex);
+                  const std::vector<std::int32_t>& input_vertex,
+                  const std::vector<std::int32_t>& input_face = {});
 
 /// Writes the cells' measures as CSV.
 void write_cells(const std::string& path, const Partition& p);

@@ -135,14 +135,14 @@ MadeFigures make_figures(const SurfaceFigureArguments& a, const UniformizedSurfa
 }
 
 MadeFigures make_figures(const SurfaceFigureArguments& a, const RemeshResult& result,
-                         const Partition* cells) {
+                         const TriangleMesh& mesh, const Partition* cells) {
   MadeFigures out;
   if (!a.figure.empty()) {
     const MeshStyle style =
         a.show == SurfaceShow::Wireframe ? MeshStyle::Wireframe : MeshStyle::HiddenLines;
     out.figures.emplace_back(a.figure, a.show == SurfaceShow::Cells
                                            ? cells_picture(result, *cells, a.picture)
-                                           : mesh_picture(result.mesh, style, a.picture));
+                                           : mesh_picture(mesh, style, a.picture));
   }
   if (!a.cover.empty()) {
     CoverPictureOptions options = a.cover_picture;

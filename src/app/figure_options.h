@@ -52,9 +52,9 @@ bool needs_cover(const SurfaceFigureArguments& arguments);
 
 MadeFigures make_figures(const SurfaceFigureArguments& arguments, const UniformizedSurface& surface,
                          const Cover* cover);
-/// Takes the partition only where cells are shown.
+/// Takes the partition only where cells are shown, and the result only for cells and the cover.
 MadeFigures make_figures(const SurfaceFigureArguments& arguments, const RemeshResult& result,
-                         const Partition* cells);
+                         const TriangleMesh& mesh, const Partition* cells);
 
 /// Throws Failure that names the file.
 void write_figures(const MadeFigures& made);

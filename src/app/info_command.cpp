@@ -1,14 +1,17 @@
 #include "app/info_command.h"
 
 #include <chrono>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "app/outputs.h"
 #include "app/report.h"
 #include "app/signals.h"
+#include "ucvt/components.h"
 #include "ucvt/error.h"
 #include "ucvt/mesh.h"
+#include "ucvt/repair.h"
 
 namespace ucvt {
 namespace {
@@ -18,16 +21,29 @@ struct Findings {
   MeshQuality quality;
   std::string refusal;  ///< empty: remesh takes the mesh
   std::int64_t reoriented_faces = 0;
+  std::optional<RepairReport> repair;
+  std::string refusal_after_repair;
 };
 
-Findings examine(const TriangleMesh& mesh) {
+void examine_repair(const TriangleMesh& mesh, const RepairOptions& options, Findings& found) {
+  const Repaired repaired = repair(mesh, options);
+  found.repair = repaired.report;
+  found.refusal_after_repair = faults_of(repaired.mesh);
+}
+
+Findings examine(const TriangleMesh& mesh, const SharedArguments& shared) {
   Findings found;
   found.counts = survey(mesh);
   found.quality = measure_quality(mesh);
   try {
-    found.reoriented_faces = closed_surface(mesh).reoriented_faces;
+    for (const Component& c : closed_components(mesh)) {
+      found.reoriented_faces += c.surface.reoriented_faces;
+    }
   } catch (const InvalidInput& error) {
     found.refusal = error.what();
+  }
+  if (shared.repair) {
+    examine_repair(mesh, shared.repair_options, found);
   }
   return found;
 }
@@ -39,11 +55,15 @@ std::string genus_text(const MeshSurvey& counts) {
   return fmt::format("{}{}", genus_of(counts), counts.components > 1 ? " (all components)" : "");
 }
 
+std::string verdict(const std::string& refusal) {
+  return refusal.empty() ? "takes it" : "refuses it: " + refusal;
+}
+
 std::string lines_of(const Findings& found) {
   const MeshSurvey& s = found.counts;
   const MeshQuality& q = found.quality;
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
-  return aligned({
+  Lines lines = {
       {"vertices", count(s.vertices)},
       {"edges", count(s.edges)},
       {"faces", count(s.faces)},
@@ -68,8 +88,13 @@ std::string lines_of(const Findings& found) {
                              s.angle_min_deg, q.angle_min_avg_deg, 100 * q.below_30)},
       {"Q", fmt::format("smallest {:.4g}, on average {:.4f}", q.q_min, q.q_avg)},
       {"regular", fmt::format("{:.2f} % of the vertices", 100 * q.regular)},
-      {"remesh", found.refusal.empty() ? "takes it" : "refuses it: " + found.refusal},
-  });
+      {"remesh", verdict(found.refusal)},
+  };
+  if (found.repair) {
+    lines.emplace_back("repair", summary_of(*found.repair));
+    lines.emplace_back("remesh --repair", verdict(found.refusal_after_repair));
+  }
+  return aligned(lines);
 }
 
 Json report_of(const InfoArguments& arguments, const Findings& found,
@@ -95,6 +120,12 @@ Json report_of(const InfoArguments& arguments, const Findings& found,
   report["quality"]["edge_max"] = s.edge_max;
   report["acceptable"] = found.refusal.empty();
   report["refusal"] = found.refusal.empty() ? Json() : Json(found.refusal);
+  if (found.repair) {
+    report["repair"] = repair_report(*found.repair);
+    report["repair"]["acceptable"] = found.refusal_after_repair.empty();
+    report["repair"]["refusal"] =
+        found.refusal_after_repair.empty() ? Json() : Json(found.refusal_after_repair);
+  }
   add_run_report(report, start);
   return report;
 }
@@ -106,8 +137,9 @@ ExitStatus run_info(const InfoArguments& arguments) {
   const std::string& report = arguments.shared.report;
   check_writable(outputs_of(arguments));
   catch_signals();
-  const Findings found = about_file(input_name(arguments.shared.input),
-                                    [&] { return examine(read_mesh(arguments.shared.input)); });
+  const Findings found = about_file(input_name(arguments.shared.input), [&] {
+    return examine(read_mesh(arguments.shared.input), arguments.shared);
+  });
   begin_computation();
   if (!report.empty()) {
     write_text(report, report_text(report_of(arguments, found, start)));

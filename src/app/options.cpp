@@ -17,6 +17,33 @@ void add_input(CLI::App& app, SharedArguments& shared) {
   add_shared(app, shared);
 }
 
+void add_repair(CLI::App& app, SharedArguments& shared) {
+  CLI::Option* const repair =
+      app.add_flag("--repair", shared.repair,
+                   "weld, split, orient and close small holes where the surface is not closed");
+  add_number(
+      app, "--weld", shared.repair_options.weld, [](double e) { return e >= 0 && e <= 1; },
+      "a number from 0 to 1",
+      fmt::format("repair: weld open vertices up to EPS of the bounding box' diagonal (default {})",
+                  shared.repair_options.weld))
+      ->type_name("EPS")
+      ->needs(repair);
+  add_number(
+      app, "--holes", shared.repair_options.hole_edges, [](int k) { return k >= 0; },
+      "a whole number from 0 up",
+      fmt::format("repair: close holes of at most K edges (default {}), and very small ones",
+                  shared.repair_options.hole_edges))
+      ->type_name("K")
+      ->needs(repair);
+}
+
+void add_component(CLI::App& app, SharedArguments& shared) {
+  add_number(
+      app, "--component", shared.component, [](int k) { return k >= 0; },
+      "a whole number from 0 up", "take this component only, counted from 0 (default: all)")
+      ->type_name("K");
+}
+
 struct RemeshFlags {
   CLI::Option* sites = nullptr;
   StopFlags stop;
@@ -57,6 +84,8 @@ RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments,
                              const std::vector<SurfaceShow>& shows) {
   RemeshFlags flags;
   add_input(app, arguments.shared);
+  add_repair(app, arguments.shared);
+  add_component(app, arguments.shared);
   flags.sites = add_sites(app, arguments.options.sites);
   app.add_option("--surface", arguments.surface, "write the uniformized surface as it was used")
       ->type_name("FILE.ply");
@@ -95,6 +124,8 @@ RemeshFlags add_partition(CLI::App& app, PartitionArguments& arguments) {
 
 void add_uniformize(CLI::App& app, UniformizeArguments& arguments) {
   add_input(app, arguments.shared);
+  add_repair(app, arguments.shared);
+  add_component(app, arguments.shared);
   add_ply_output(app, arguments.output);
   app.add_option("--group", arguments.group,
                  "write canonical generators of the deck group, the polygon and its pairings")
@@ -226,6 +257,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   add_uniformize(*uniformize_app, uniformize);
   CLI::App* const info_app = app.add_subcommand("info", "print topology, faults and quality");
   add_input(*info_app, info.shared);
+  add_repair(*info_app, info.shared);
   SpaceCommands spaces(app);
 
   check_command_name(argc, argv, app);

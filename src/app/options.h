@@ -13,6 +13,7 @@
 #include "app/figure_options.h"
 #include "ucvt/figure.h"
 #include "ucvt/remesh.h"
+#include "ucvt/repair.h"
 #include "ucvt/space_files.h"
 #include "ucvt/spaces.h"
 
@@ -23,6 +24,9 @@ struct SharedArguments {
   std::string report;  ///< empty: none
   bool quiet = false;
   bool verbose = false;
+  bool repair = false;
+  RepairOptions repair_options;
+  int component = -1;  ///< -1: all
 };
 
 /// Of remesh, and of what partition has in common with it.

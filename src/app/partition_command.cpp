@@ -1,5 +1,6 @@
 #include "app/partition_command.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -14,16 +15,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::string summary(const RemeshResult& result, const Partition& p, Clock::time_point start) {
-  const CvtReport& cvt = result.cvt;
-  const Spread& area = result.cell_area_3d;
+double hexagons(const Partition& p) {
+  const auto six = std::count_if(p.cells.begin(), p.cells.end(),
+                                 [](const PartitionCell& c) { return c.degree == 6; });
+  return static_cast<double>(six) / static_cast<double>(p.cells.size());
+}
+
+std::string summary(const SurfaceRun& run, const Partition& p, Clock::time_point start) {
+  const CvtReport& cvt = run.joined.cvt;
+  const Spread& area = run.joined.cell_area_3d;
   return aligned(
       {{"cells", fmt::format("{}", p.cells.size())},
-       {"genus", fmt::format("{}", result.report.genus)},
-       {"geometry", result.surface.report().geometry},
+       {"genus", fmt::format("{}", run.joined.remesh.genus)},
+       {"geometry", geometry_text(run)},
        {"iterations", fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
-       {"energy", fmt::format("{:.4f} of small regular hexagons", energy_over_hexagonal(result))},
-       {"hexagons", fmt::format("{:.2f} % of the cells", 100 * result.uniformity.hexagons)},
+       {"energy",
+        fmt::format("{:.4f} of small regular hexagons", energy_over_hexagonal(run.results))},
+       {"hexagons", fmt::format("{:.2f} % of the cells", 100 * hexagons(p))},
        {"cv", fmt::format("{:.4f} of the cell areas on the input, which go from {:.4f} to {:.4f} "
                           "of their mean",
                           area.cv, area.min / area.mean, area.max / area.mean)},
@@ -41,17 +49,21 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
   const SurfaceRun run = run_on_surface(asked);
-  const auto [p, figures] = about_file(input_name(asked.shared.input), [&] {
-    Partition cut = partition(run.result);
-    MadeFigures made = make_figures(asked.figures, run.result, &cut);
+  const auto [joined, figures] = about_file(input_name(asked.shared.input), [&] {
+    JoinedPartition cut = partition(run.input.components, run.results);
+    MadeFigures made =
+        make_figures(asked.figures, run.results.front(), joined_mesh(run.results), &cut.partition);
     return std::pair(std::move(cut), std::move(made));
   });
+  const Partition& p = joined.partition;
   const std::string& report = asked.shared.report;
   write_output(asked.output, [&] { write_partition(asked.output, p); });
-  write_output(arguments.labels,
-               [&] { write_labels(arguments.labels, p, run.input.surface.input_vertex); });
+  write_output(arguments.labels, [&] {
+    write_labels(arguments.labels, p, run.input.vertices_in_file(joined.input_vertex),
+                 run.input.faces_in_file(joined.input_face));
+  });
   write_output(arguments.cells, [&] { write_cells(arguments.cells, p); });
-  write_run(asked, run.result);
+  write_run(asked, run);
   write_figures(figures);
   write_output(report, [&] {
     Json json = run_report(asked, run, start);
@@ -61,9 +73,9 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
                          {"faces", p.mesh.faces.size()}};
     write_text(report, report_text(json));
   });
-  const ExitStatus status = judge(asked, run.result);
+  const ExitStatus status = judge(asked, run.joined);
   if (!asked.shared.quiet && !takes_stdout(outputs)) {
-    print_results(summary(run.result, p, start));
+    print_results(summary(run, p, start));
   }
   return status;
 }

@@ -41,6 +41,16 @@ Json uniformity_report(const UniformityReport& uniformity) {
           {"hexagons", uniformity.hexagons}};
 }
 
+Json dual_report(const RemeshReport& report) {
+  Json remesh = {{"vertices", report.vertices},
+                 {"faces", report.faces},
+                 {"genus", report.genus},
+                 {"simplicial", report.simplicial},
+                 {"sites_added", report.sites_added}};
+  remesh.update(quality_report(report.quality));
+  return remesh;
+}
+
 }  // namespace
 
 bool has_genus(const MeshSurvey& counts) {
@@ -95,16 +105,46 @@ Json quality_report(const MeshQuality& quality) {
 
 void add_remesh_report(Json& report, const RemeshResult& result) {
   report["cvt"] = cvt_report(result.cvt);
-  report["cvt"]["energy_over_hexagonal"] = energy_over_hexagonal(result);
+  report["cvt"]["energy_over_hexagonal"] = energy_over_hexagonal({&result, 1});
   report["uniformity"] = uniformity_report(result.uniformity);
   report["surface"] = {{"cell_area", spread_report(result.cell_area_3d)}};
-  Json remesh = {{"vertices", result.report.vertices},
-                 {"faces", result.report.faces},
-                 {"genus", result.report.genus},
-                 {"simplicial", result.report.simplicial},
-                 {"sites_added", result.report.sites_added}};
-  remesh.update(quality_report(result.report.quality));
-  report["remesh"] = std::move(remesh);
+  report["remesh"] = dual_report(result.report);
+}
+
+void add_joined_report(Json& report, const std::vector<Component>& components,
+                       const std::vector<RemeshResult>& results, const JoinedReport& joined) {
+  const CvtReport& cvt = joined.cvt;
+  report["cvt"] = {{"method", cvt.method},
+                   {"sites", cvt.sites},
+                   {"iterations", cvt.iterations},
+                   {"converged", cvt.converged},
+                   {"seconds", cvt.seconds}};
+  report["surface"] = {{"cell_area", spread_report(joined.cell_area_3d)}};
+  report["remesh"] = dual_report(joined.remesh);
+  Json& list = report["components"] = Json::array();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ClosedSurface& surface = components[i].surface;
+    Json entry = {{"first_face", components[i].input_face.front()},
+                  {"vertices", surface.mesh.positions.size()},
+                  {"faces", surface.mesh.faces.size()},
+                  {"genus", surface.genus}};
+    entry["uniformization"] = uniformization_report(results[i].surface.report());
+    add_remesh_report(entry, results[i]);
+    list.push_back(std::move(entry));
+  }
+}
+
+Json repair_report(const RepairReport& repair) {
+  return {{"welded_vertices", repair.welded_vertices},
+          {"repeated_corner_faces", repair.repeated_corners},
+          {"duplicate_faces", repair.duplicate_faces},
+          {"split_edges", repair.split_edges},
+          {"split_vertices", repair.split_vertices},
+          {"cut_edges", repair.cut_edges},
+          {"reoriented_faces", repair.reoriented_faces},
+          {"closed_holes", repair.closed_holes},
+          {"added_faces", repair.added_faces},
+          {"left_holes", repair.left_holes}};
 }
 
 void add_space_report(Json& report, const std::string& domain, const SpaceResult& result,
@@ -130,8 +170,14 @@ void add_space_report(Json& report, const std::string& domain, const SpaceResult
   report["quadrature_error"] = result.quadrature_error;
 }
 
-double energy_over_hexagonal(const RemeshResult& result) {
-  return result.cvt.energy.empty() ? 0 : result.cvt.energy.back() / result.hexagonal_energy;
+double energy_over_hexagonal(std::span<const RemeshResult> results) {
+  double sum = 0, sites = 0;
+  for (const RemeshResult& r : results) {
+    const auto n = static_cast<double>(r.sites.size());
+    sum += n * (r.cvt.energy.empty() ? 0 : r.cvt.energy.back() / r.hexagonal_energy);
+    sites += n;
+  }
+  return sum / sites;
 }
 
 double energy_over_hexagonal(const SpaceResult& result) {

@@ -5,14 +5,17 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "ucvt/components.h"
 #include "ucvt/cover.h"
 #include "ucvt/remesh.h"
+#include "ucvt/repair.h"
 #include "ucvt/spaces.h"
 
 namespace ucvt {
@@ -29,6 +32,13 @@ Json group_report(const DeckGroup& group);
 
 /// `cvt`, `uniformity`, `surface` and `remesh` of a result, put into a report.
 void add_remesh_report(Json& report, const RemeshResult& result);
+
+/// The same of several components together, and `components`, a list with all of it for each.
+void add_joined_report(Json& report, const std::vector<Component>& components,
+                       const std::vector<RemeshResult>& results, const JoinedReport& joined);
+
+/// `repair`: what was done to the mesh.
+Json repair_report(const RepairReport& repair);
 
 /// `space`, `cvt`, `uniformity` and their like of a tessellation of a space, put into a report.
 void add_space_report(Json& report, const std::string& domain, const SpaceResult& result,
@@ -54,8 +64,9 @@ int threads_used(int asked);
 /// The final energy over that of as many regular hexagons of the same total area in the plane.
 double energy_over_hexagonal(const SpaceResult& result);
 
-/// The final energy over that of small regular hexagons fitted to the density.
-double energy_over_hexagonal(const RemeshResult& result);
+/// The final energy over that of small regular hexagons fitted to the density; of several components
+/// the mean by sites.
+double energy_over_hexagonal(std::span<const RemeshResult> results);
 
 /// What is to be said about sites that did not converge.
 std::string not_converged(const CvtReport& cvt, double tolerance);

@@ -1,6 +1,8 @@
 #include "app/surface_run.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+
+#include <fmt/ranges.h>
 
 #include "app/outputs.h"
 #include "app/progress.h"
@@ -30,25 +32,42 @@ RemeshOptions options_of(const RemeshArguments& arguments) {
   return options;
 }
 
+/// Files of sites and of the uniform surface, cells in pictures and the cover are of one component.
+void check_components(const RemeshArguments& a, const ClosedInput& input) {
+  const auto check = [&](bool asked, const std::string& what) {
+    if (asked) {
+      require_one_component(a.shared, input, what);
+    }
+  };
+  check(!a.init_file.empty(), "--init FILE");
+  check(!a.surface.empty(), "--surface");
+  check(!a.sites.empty(), "--sites");
+  check(!a.figures.cover.empty(), "--cover");
+  check(!a.figures.figure.empty() && a.figures.show == SurfaceShow::Cells, "--show cells");
+}
+
 }  // namespace
 
 SurfaceRun run_on_surface(const RemeshArguments& arguments) {
   catch_signals();
   RemeshOptions options = options_of(arguments);
   ClosedInput input = read_closed_input(arguments.shared);
+  check_components(arguments, input);
   begin_computation();
   ProgressLine progress(arguments.shared);
   options.monitor = progress.monitor();
-  RemeshResult result = about_file(input_name(arguments.shared.input),
-                                   [&] { return remesh(input.surface, options); });
+  std::vector<RemeshResult> results = about_file(input_name(arguments.shared.input),
+                                                 [&] { return remesh(input.components, options); });
   progress.clear();
   if (interrupted()) {
     throw interruption();
   }
-  return {std::move(input), std::move(result)};
+  JoinedReport joined = joined_report(results);
+  return {std::move(input), std::move(results), std::move(joined)};
 }
 
-void write_run(const RemeshArguments& arguments, const RemeshResult& result) {
+void write_run(const RemeshArguments& arguments, const SurfaceRun& run) {
+  const RemeshResult& result = run.results.front();
   write_output(arguments.surface, [&] { result.surface.write(arguments.surface); });
   write_output(arguments.sites, [&] { write_sites(arguments.sites, result); });
 }
@@ -57,15 +76,37 @@ Json run_report(const RemeshArguments& arguments, const SurfaceRun& run,
                 std::chrono::steady_clock::time_point start) {
   Json report;
   report["input"] = input_report(arguments.shared.input, run.input.counts);
-  report["uniformization"] = uniformization_report(run.result.surface.report());
-  add_remesh_report(report, run.result);
+  if (run.input.repair) {
+    report["repair"] = repair_report(*run.input.repair);
+  }
+  if (run.results.size() == 1) {
+    report["uniformization"] = uniformization_report(run.results.front().surface.report());
+    add_remesh_report(report, run.results.front());
+  } else {
+    add_joined_report(report, run.input.components, run.results, run.joined);
+  }
   add_run_report(report, start);
   report["seed"] = arguments.options.seed;
   report["threads"] = threads_used(arguments.options.threads);
   return report;
 }
 
-ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result) {
+std::string geometry_text(const SurfaceRun& run) {
+  std::vector<std::string> kinds;
+  for (const RemeshResult& r : run.results) {
+    const std::string& geometry = r.surface.report().geometry;
+    if (std::find(kinds.begin(), kinds.end(), geometry) == kinds.end()) {
+      kinds.push_back(geometry);
+    }
+  }
+  std::string text = fmt::format("{}", fmt::join(kinds, ", "));
+  if (run.results.size() > 1) {
+    text += fmt::format(" ({} components)", run.results.size());
+  }
+  return text;
+}
+
+ExitStatus judge(const RemeshArguments& arguments, const JoinedReport& joined) {
   const std::string name = input_name(arguments.shared.input);
   const bool quiet = arguments.shared.quiet;
   ExitStatus status = ExitStatus::Done;
@@ -77,16 +118,16 @@ ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result) {
       print_line_to_stderr(name + ": " + text);
     }
   };
-  if (const std::int64_t added = result.report.sites_added; added > 0) {
+  if (const std::int64_t added = joined.remesh.sites_added; added > 0) {
     say(fmt::format("added {} site{} so that the mesh is simplicial", added, added == 1 ? "" : "s"),
         false);
   }
-  if (!result.report.simplicial) {
+  if (!joined.remesh.simplicial) {
     say("the mesh is not simplicial (loops or double edges); ask for more sites",
         arguments.options.ensure_simplicial);
   }
-  if (!result.cvt.converged) {
-    say(not_converged(result.cvt, arguments.options.tolerance), arguments.convergence_asked);
+  if (!joined.cvt.converged) {
+    say(not_converged(joined.cvt, arguments.options.tolerance), arguments.convergence_asked);
   }
   return status;
 }

@@ -12,19 +12,23 @@ namespace ucvt {
 
 struct SurfaceRun {
   ClosedInput input;
-  RemeshResult result;
+  std::vector<RemeshResult> results;  ///< one for each component
+  JoinedReport joined;
 };
 
 /// Reads the mesh and the sites to start from, and computes. Throws Failure, also when interrupted.
 SurfaceRun run_on_surface(const RemeshArguments& arguments);
 
-/// Writes --surface and --sites where they are asked for. Throws Failure.
-void write_run(const RemeshArguments& arguments, const RemeshResult& result);
+/// Writes --surface and --sites, of one component, where they are asked for. Throws Failure.
+void write_run(const RemeshArguments& arguments, const SurfaceRun& run);
 
 Json run_report(const RemeshArguments& arguments, const SurfaceRun& run,
                 std::chrono::steady_clock::time_point start);
 
 /// What the result is not, said on stderr; whether the run counts as finished.
-ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result);
+ExitStatus judge(const RemeshArguments& arguments, const JoinedReport& joined);
+
+/// "hyperbolic"; "spherical, euclidean (3 components)".
+std::string geometry_text(const SurfaceRun& run);
 
 }  // namespace ucvt

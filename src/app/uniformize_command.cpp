@@ -18,14 +18,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::string summary(const ClosedInput& input, const UniformizationReport& report,
+std::string summary(const ClosedSurface& closed, const UniformizationReport& report,
                     Clock::time_point start) {
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
+  const auto size = [](std::size_t n) { return static_cast<std::int64_t>(n); };
   return aligned(
       {
-          {"vertices", count(input.counts.vertices + report.refined_vertices)},
-          {"faces", count(input.counts.faces + 2 * report.refined_vertices)},
-          {"genus", count(input.surface.genus)},
+          {"vertices", count(size(closed.mesh.positions.size()) + report.refined_vertices)},
+          {"faces", count(size(closed.mesh.faces.size()) + 2 * report.refined_vertices)},
+          {"genus", count(closed.genus)},
           {"geometry", report.geometry},
           {"iterations", count(report.newton_iterations)},
           {"flips",
@@ -60,6 +61,9 @@ void write_outputs(const UniformizeArguments& arguments, const ClosedInput& inpu
   write_output(arguments.shared.report, [&] {
     Json report;
     report["input"] = input_report(arguments.shared.input, input.counts);
+    if (input.repair) {
+      report["repair"] = repair_report(*input.repair);
+    }
     report["uniformization"] = uniformization_report(surface.report());
     if (cover) {
       report["group"] = group_report(cover->group());
@@ -78,9 +82,11 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   check_writable(outputs);
   catch_signals();
   const ClosedInput input = read_closed_input(arguments.shared);
+  require_one_component(arguments.shared, input, "uniformize");
+  const ClosedSurface& closed = input.components.front().surface;
   if (needs_cover(arguments)) {
     about_file(input_name(arguments.shared.input), [&] {
-      require_coordinates(input.surface.genus, arguments.figures.cover_picture.coordinates);
+      require_coordinates(closed.genus, arguments.figures.cover_picture.coordinates);
     });
   }
   begin_computation();
@@ -92,15 +98,15 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   ProgressLine progress(arguments.shared);
   UniformizeOptions options;
   options.monitor = progress.monitor();
-  const UniformizedSurface surface = about_file(input_name(arguments.shared.input),
-                                                [&] { return uniformize(input.surface, options); });
+  const UniformizedSurface surface =
+      about_file(input_name(arguments.shared.input), [&] { return uniformize(closed, options); });
   progress.clear();
   if (interrupted()) {
     throw interruption();
   }
   write_outputs(arguments, input, surface, start);
   if (!arguments.shared.quiet && !takes_stdout(outputs)) {
-    print_results(summary(input, surface.report(), start));
+    print_results(summary(closed, surface.report(), start));
   }
   return ExitStatus::Done;
 }

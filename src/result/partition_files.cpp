@@ -58,14 +58,20 @@ void write_partition(const std::string& path, const Partition& p) {
 }
 
 void write_labels(const std::string& path, const Partition& p,
-                  const std::vector<std::int32_t>& input_vertex) {
+                  const std::vector<std::int32_t>& input_vertex,
+                  const std::vector<std::int32_t>& input_face) {
   OutputFile file(path);
   file.write("element,number,cell\n");
   for (std::size_t v = 0; v < p.vertex_cell.size(); ++v) {
-    file.write(fmt::format("vertex,{},{}\n", input_vertex[v], p.vertex_cell[v]));
+    if (input_vertex[v] >= 0) {
+      file.write(fmt::format("vertex,{},{}\n", input_vertex[v], p.vertex_cell[v]));
+    }
   }
   for (std::size_t f = 0; f < p.face_cell.size(); ++f) {
-    file.write(fmt::format("face,{},{}\n", f, p.face_cell[f]));
+    const auto number = input_face.empty() ? static_cast<std::int32_t>(f) : input_face[f];
+    if (number >= 0) {
+      file.write(fmt::format("face,{},{}\n", number, p.face_cell[f]));
+    }
   }
   file.commit();
 }

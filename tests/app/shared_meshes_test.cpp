@@ -3,13 +3,14 @@
 #include <cstdlib>
 
 #include "run_program.h"
+#include "ucvt/components.h"
 
 namespace ucvt::test {
 namespace {
 
 bool is_refused(const std::string& path) {
   try {
-    closed_surface(read_mesh(path));
+    closed_components(read_mesh(path));
   } catch (const InvalidInput&) {
     return true;
   }

@@ -65,7 +65,7 @@ TEST(ReadStl, KeepsFacesThatWeldToARepeatedCorner) {
   mesh.faces.push_back({1, 2, 1});
   const TriangleMesh read = read_bytes("a.stl", binary_stl(mesh, ""));
   EXPECT_EQ(survey(read).repeated_corner_faces, 1);
-  EXPECT_HAS(closed_refusal(read), "face 4 has a repeated corner");
+  EXPECT_HAS(closed_refusal(read), "1 face has a repeated corner (first face 4: ");
 }
 
 TEST(ReadStl, NamesTheFault) {

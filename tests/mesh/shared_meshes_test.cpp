@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "mesh_test_support.h"
+#include "ucvt/components.h"
+#include "ucvt/repair.h"
 
 namespace ucvt::test {
 namespace {
@@ -130,27 +132,27 @@ constexpr std::pair<const char*, const char*> faults[] = {
     {"repeated_index_face.off", "repeated corner"},
     {"duplicate_face.off", "duplicate"},
     {"opposite_face_pair.off", "duplicate"},
-    {"missing_face.off", "boundary of 3 edges"},
+    {"missing_face.off", "1 boundary loop of 3 edges"},
     {"klein_bottle.off", "Klein bottle"},
     {"projective_plane_6.off", "projective plane"},
-    {"two_tets_sharing_vertex.off", "vertex 0 is not manifold"},
-    {"two_tets_sharing_edge.off", "not manifold: 4 faces"},
-    {"voxels_touching_edge.off", "not manifold: 4 faces"},
-    {"voxels_touching_corner.off", "vertex 2 is not manifold"},
-    {"three_fins.off", "not manifold: 3 faces"},
+    {"two_tets_sharing_vertex.off", "1 non-manifold vertex (first 0, of 2 fans)"},
+    {"two_tets_sharing_edge.off", "(first 0-1, of 4 faces)"},
+    {"voxels_touching_edge.off", "(first 1-2, of 4 faces)"},
+    {"voxels_touching_corner.off", "1 non-manifold vertex (first 2, of 2 fans)"},
+    {"three_fins.off", "1 non-manifold edge (first 0-1, of 3 faces)"},
     {"two_components.off", "2 components"},
-    {"unwelded.obj", "weld coincident vertices"},
+    {"unwelded.obj", "800 vertices repeat the place of another one"},
     {"soup_jittered.stl", "boundary"},
     {"lens_two_triangles.off", "duplicate"},
     {"one_triangle.off", "boundary"},
     {"found_joined_tetrahedra.obj", "duplicate"},
     {"found_shared.STL", "not manifold"},
-    {"found_soup.stl", "100 loops"},
-    {"found_not_convex.obj", "weld coincident vertices"},
+    {"found_soup.stl", "100 boundary loops"},
+    {"found_not_convex.obj", "244 vertices repeat the place of another one"},
     {"found_polygonfaces.obj", "boundary"},
     {"found_wallhole.obj", "boundary"},
     {"found_multibody.stl", "2 components"},
-    {"found_featuretype.ply", "weld coincident vertices"},
+    {"found_featuretype.ply", "3374 vertices repeat the place of another one"},
     {"found_angle_block.STL", "boundary"},
     {"found_empty_header.ply", "no vertex element"},
     {"found_stl_empty_bin.stl", "no faces"},
@@ -170,6 +172,61 @@ TEST_F(SharedMeshes, EveryFaultIsNamed) {
     const std::string message = refusal([&] { closed_surface(read_mesh(file)); });
     EXPECT_HAS(message, word);
   }
+}
+
+struct Mended {
+  const char* name;
+  std::size_t components;
+  int genus;  ///< summed
+};
+
+constexpr Mended mended[] = {
+    {"repeated_index_face.off", 1, 1},
+    {"duplicate_face.off", 1, 1},
+    {"opposite_face_pair.off", 1, 1},
+    {"missing_face.off", 1, 1},
+    {"mixed_orientation.off", 1, 1},
+    {"two_tets_sharing_vertex.off", 2, 0},
+    {"two_tets_sharing_edge.off", 2, 0},
+    {"voxels_touching_edge.off", 2, 0},
+    {"voxels_touching_corner.off", 2, 0},
+    {"two_components.off", 2, 2},
+    {"unwelded.obj", 1, 1},
+    {"found_joined_tetrahedra.obj", 1, 0},
+    {"found_shared.STL", 2, 0},
+    {"found_multibody.stl", 2, 0},
+    {"found_featuretype.ply", 1, 9},
+    {"found_bones.off", 26, 0},
+    {"found_sphere_with_hole.stl", 1, 0},
+    {"found_wallhole.obj", 1, 0},
+};
+
+TEST_F(SharedMeshes, RepairMends) {
+  for (const auto& [name, components, genus] : mended) {
+    SCOPED_TRACE(name);
+    const Repaired r = repair(read_mesh(path(std::string("bad/") + name)));
+    const std::vector<Component> parts = closed_components(r.mesh);
+    EXPECT_EQ(parts.size(), components);
+    int sum = 0;
+    for (const Component& part : parts) {
+      sum += part.surface.genus;
+      EXPECT_EQ(part.surface.reoriented_faces, 0);
+    }
+    EXPECT_EQ(sum, genus);
+  }
+}
+
+TEST_F(SharedMeshes, RepairLeavesTheRestNamed) {
+  for (const char* name :
+       {"klein_bottle.off", "projective_plane_6.off", "three_fins.off", "lens_two_triangles.off",
+        "one_triangle.off", "soup_jittered.stl", "found_soup.stl", "found_polygonfaces.obj",
+        "found_degenerate_sliding.off", "found_number_formats.obj", "found_4voxel.obj"}) {
+    SCOPED_TRACE(name);
+    const Repaired r = repair(read_mesh(path(std::string("bad/") + name)));
+    EXPECT_HAS(faults_of(r.mesh), "the surface is ");
+  }
+  const Repaired coarse = repair(read_mesh(path("bad/soup_jittered.stl")), {.weld = 1e-6});
+  EXPECT_EQ(faults_of(coarse.mesh), "");
 }
 
 TEST_F(SharedMeshes, OpenOnesAreRefused) {
