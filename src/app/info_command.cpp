@@ -25,7 +25,8 @@ Findings examine(const TriangleMesh& mesh) {
   found.counts = survey(mesh);
   found.quality = measure_quality(mesh);
   try {
-    found.reoriented_faces = closed_surface(mesh).reoriented_faces;
+    found.reoriented_faces = has_boundary(mesh) ? open_surface(mesh).reoriented_faces
+                                                : closed_surface(mesh).reoriented_faces;
   } catch (const InvalidInput& error) {
     found.refusal = error.what();
   }
@@ -37,6 +38,15 @@ std::string genus_text(const MeshSurvey& counts) {
     return "none (not an orientable manifold)";
   }
   return fmt::format("{}{}", genus_of(counts), counts.components > 1 ? " (all components)" : "");
+}
+
+std::string remesh_text(const Findings& found) {
+  if (!found.refusal.empty()) {
+    return "refuses it: " + found.refusal;
+  }
+  return found.counts.boundary_edges > 0
+             ? "takes it; partition and uniformize need a closed surface"
+             : "takes it";
 }
 
 std::string lines_of(const Findings& found) {
@@ -68,7 +78,7 @@ std::string lines_of(const Findings& found) {
                              s.angle_min_deg, q.angle_min_avg_deg, 100 * q.below_30)},
       {"Q", fmt::format("smallest {:.4g}, on average {:.4f}", q.q_min, q.q_avg)},
       {"regular", fmt::format("{:.2f} % of the vertices", 100 * q.regular)},
-      {"remesh", found.refusal.empty() ? "takes it" : "refuses it: " + found.refusal},
+      {"remesh", remesh_text(found)},
   });
 }
 

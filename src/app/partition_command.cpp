@@ -1,6 +1,7 @@
 #include "app/partition_command.h"
 
 #include <chrono>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -39,7 +40,7 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const RemeshArguments& asked = arguments.remesh;
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(asked);
+  const SurfaceRun run = run_on_surface(asked, Surfaces::Closed);
   const auto [p, figures] = about_file(input_name(asked.shared.input), [&] {
     Partition cut = partition(run.result);
     MadeFigures made = make_figures(asked.figures, run.result, &cut);
@@ -48,7 +49,8 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const std::string& report = asked.shared.report;
   write_output(asked.output, [&] { write_partition(asked.output, p); });
   write_output(arguments.labels,
-               [&] { write_labels(arguments.labels, p, run.input.surface.input_vertex); });
+               [&] { write_labels(arguments.labels, p,
+                            std::get<ClosedSurface>(run.input.surface).input_vertex); });
   write_output(arguments.cells, [&] { write_cells(arguments.cells, p); });
   write_run(asked, run.result);
   write_figures(figures);

@@ -100,6 +100,7 @@ void add_remesh_report(Json& report, const RemeshResult& result) {
   Json remesh = {{"vertices", result.report.vertices},
                  {"faces", result.report.faces},
                  {"genus", result.report.genus},
+                 {"boundary_loops", result.report.boundary_loops},
                  {"simplicial", result.report.simplicial},
                  {"sites_added", result.report.sites_added}};
   remesh.update(quality_report(result.report.quality));

@@ -1,5 +1,8 @@
 #include "app/surface_run.h"
 
+#include <utility>
+#include <variant>
+
 #include <fmt/format.h>
 
 #include "app/outputs.h"
@@ -30,17 +33,45 @@ RemeshOptions options_of(const RemeshArguments& arguments) {
   return options;
 }
 
+SurfaceInput read_input(const SharedArguments& shared, Surfaces surfaces) {
+  if (surfaces == Surfaces::ClosedAndOpen) {
+    return read_surface_input(shared);
+  }
+  ClosedInput input = read_closed_input(shared);
+  return {input.counts, std::move(input.surface)};
+}
+
+void refuse_what_open_surfaces_lack(const RemeshArguments& arguments, const SurfaceInput& input) {
+  if (!std::holds_alternative<OpenSurface>(input.surface)) {
+    return;
+  }
+  const SurfaceFigureArguments& figures = arguments.figures;
+  const bool cells = !figures.figure.empty() && figures.show == SurfaceShow::Cells;
+  const char* const asked = !arguments.init_file.empty()                         ? "--init"
+                            : arguments.options.init == InitialSites::Random ? "--init random"
+                            : cells                                              ? "--show cells"
+                            : !figures.cover.empty()                             ? "--cover"
+                                                                                 : nullptr;
+  if (asked != nullptr) {
+    throw Failure(ExitStatus::BadInput,
+                  fmt::format("{}: the surface is open, where there is no {}; leave it out",
+                              input_name(arguments.shared.input), asked));
+  }
+}
+
 }  // namespace
 
-SurfaceRun run_on_surface(const RemeshArguments& arguments) {
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces) {
   catch_signals();
   RemeshOptions options = options_of(arguments);
-  ClosedInput input = read_closed_input(arguments.shared);
+  SurfaceInput input = read_input(arguments.shared, surfaces);
+  refuse_what_open_surfaces_lack(arguments, input);
   begin_computation();
   ProgressLine progress(arguments.shared);
   options.monitor = progress.monitor();
-  RemeshResult result = about_file(input_name(arguments.shared.input),
-                                   [&] { return remesh(input.surface, options); });
+  RemeshResult result = about_file(input_name(arguments.shared.input), [&] {
+    return std::visit([&](const auto& s) { return remesh(s, options); }, input.surface);
+  });
   progress.clear();
   if (interrupted()) {
     throw interruption();
@@ -79,6 +110,10 @@ ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result) {
   };
   if (const std::int64_t added = result.report.sites_added; added > 0) {
     say(fmt::format("added {} site{} so that the mesh is simplicial", added, added == 1 ? "" : "s"),
+        false);
+  }
+  if (const int loops = result.report.boundary_loops; loops > 0) {
+    say(fmt::format("the surface is open: {} boundary loop{}", loops, loops == 1 ? "" : "s"),
         false);
   }
   if (!result.report.simplicial) {

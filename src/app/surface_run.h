@@ -11,12 +11,15 @@
 namespace ucvt {
 
 struct SurfaceRun {
-  ClosedInput input;
+  SurfaceInput input;
   RemeshResult result;
 };
 
+/// Whether surfaces with boundary are taken.
+enum class Surfaces : char { Closed, ClosedAndOpen };
+
 /// Reads the mesh and the sites to start from, and computes. Throws Failure, also when interrupted.
-SurfaceRun run_on_surface(const RemeshArguments& arguments);
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces);
 
 /// Writes --surface and --sites where they are asked for. Throws Failure.
 void write_run(const RemeshArguments& arguments, const RemeshResult& result);

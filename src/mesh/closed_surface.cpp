@@ -36,8 +36,7 @@ bool closes_when_welded(const TriangleMesh& mesh, std::int64_t& coincident) {
   return analyze_topology(welded).counts.boundary_edges == 0;
 }
 
-[[noreturn]] void refuse_boundary(const TriangleMesh& mesh, const Topology& found) {
-  const std::string edge = edge_name(mesh, found.boundary_side);
+void refuse_unwelded(const TriangleMesh& mesh, const Topology& found) {
   std::int64_t coincident = 0;
   if (closes_when_welded(mesh, coincident)) {
     refuse(
@@ -45,12 +44,16 @@ bool closes_when_welded(const TriangleMesh& mesh, std::int64_t& coincident) {
         "vertices",
         counted(coincident, "vertex repeats the place of another one",
                 "vertices repeat the place of another one"),
-        edge);
+        edge_name(mesh, found.boundary_side));
   }
+}
+
+[[noreturn]] void refuse_boundary(const TriangleMesh& mesh, const Topology& found) {
+  refuse_unwelded(mesh, found);
   refuse(
       "the surface is open: {} has one face (boundary of {} in {}); close the holes, or weld "
-      "vertices that should be one",
-      edge, counted(found.counts.boundary_edges, "edge", "edges"),
+      "vertices that should be one (only remesh takes open surfaces)",
+      edge_name(mesh, found.boundary_side), counted(found.counts.boundary_edges, "edge", "edges"),
       counted(found.counts.boundary_loops, "loop", "loops"));
 }
 
@@ -63,7 +66,9 @@ bool closes_when_welded(const TriangleMesh& mesh, std::int64_t& coincident) {
   refuse("the surface is not orientable: it is {}; give a surface with two sides", name);
 }
 
-void refuse_faults(const TriangleMesh& mesh, const Topology& found) {
+enum class Boundary : char { Refused, Required };
+
+void refuse_faults(const TriangleMesh& mesh, const Topology& found, Boundary boundary) {
   if (mesh.faces.empty()) {
     refuse("there are no faces; give a mesh with triangles or polygons");
   }
@@ -85,7 +90,7 @@ void refuse_faults(const TriangleMesh& mesh, const Topology& found) {
         edge_name(mesh, found.nonmanifold_side), found.nonmanifold_side_faces,
         counted(found.counts.nonmanifold_edges, "such edge", "such edges"));
   }
-  if (found.boundary_side >= 0) {
+  if (found.boundary_side >= 0 && boundary == Boundary::Refused) {
     refuse_boundary(mesh, found);
   }
   if (found.nonmanifold_vertex >= 0) {
@@ -100,6 +105,12 @@ void refuse_faults(const TriangleMesh& mesh, const Topology& found) {
   }
   if (!found.counts.orientable) {
     refuse_not_orientable(found);
+  }
+  if (boundary == Boundary::Required) {
+    refuse_unwelded(mesh, found);
+    if (found.boundary_side < 0) {
+      refuse("the surface is closed; treat it as a closed one");
+    }
   }
 }
 
@@ -118,13 +129,10 @@ std::int64_t turn_faces(std::vector<bool> turned, std::vector<Corners>& faces) {
   return static_cast<std::int64_t>(count);
 }
 
-}  // namespace
-
-ClosedSurface closed_surface(const TriangleMesh& mesh) {
-  const Topology found = analyze_topology(mesh);
-  refuse_faults(mesh, found);
-  ClosedSurface surface;
-  surface.genus = static_cast<int>((2 - found.counts.euler_number) / 2);
+/// What closed and open surfaces have in common: used vertices and turned faces.
+template <class Surface>
+Surface taken_over(const TriangleMesh& mesh, const Topology& found) {
+  Surface surface;
   std::vector<std::int32_t> number(mesh.positions.size(), -1);
   for (const Corners& f : mesh.faces) {
     for (const std::int32_t v : f) {
@@ -146,6 +154,31 @@ ClosedSurface closed_surface(const TriangleMesh& mesh) {
     }
   }
   surface.reoriented_faces = turn_faces(found.turned, surface.mesh.faces);
+  return surface;
+}
+
+}  // namespace
+
+ClosedSurface closed_surface(const TriangleMesh& mesh) {
+  const Topology found = analyze_topology(mesh);
+  refuse_faults(mesh, found, Boundary::Refused);
+  auto surface = taken_over<ClosedSurface>(mesh, found);
+  surface.genus = static_cast<int>((2 - found.counts.euler_number) / 2);
+  return surface;
+}
+
+bool has_boundary(const TriangleMesh& mesh) {
+  std::int64_t coincident = 0;
+  return analyze_topology(mesh).boundary_side >= 0 && !closes_when_welded(mesh, coincident);
+}
+
+OpenSurface open_surface(const TriangleMesh& mesh) {
+  const Topology found = analyze_topology(mesh);
+  refuse_faults(mesh, found, Boundary::Required);
+  auto surface = taken_over<OpenSurface>(mesh, found);
+  const std::int64_t loops = found.counts.boundary_loops;
+  surface.genus = static_cast<int>((2 - loops - found.counts.euler_number) / 2);
+  surface.boundary_loops = static_cast<int>(loops);
   return surface;
 }
 
