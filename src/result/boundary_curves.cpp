@@ -14,6 +14,9 @@ namespace {
 /// Turning by more makes a corner: 30 degrees, as its cosine.
 constexpr double corner_cosine = 0.86602540378443865;
 
+/// The boundary is looked at over no more than this part of a loop either way.
+constexpr double shortest_loop = 6;
+
 /// Sites of a loop, at least: fewer make no simplicial complex.
 constexpr std::size_t least_sites = 3;
 
@@ -34,11 +37,94 @@ double distance(const TriangleMesh& mesh, std::int32_t a, std::int32_t b) {
   return std::hypot(d[0], d[1], d[2]);
 }
 
-bool turns(const TriangleMesh& mesh, std::int32_t before, std::int32_t v, std::int32_t after) {
-  const Position in = minus(at(mesh, v), at(mesh, before));
-  const Position out = minus(at(mesh, after), at(mesh, v));
+double cosine_between(const Position& in, const Position& out) {
   const double lengths = std::hypot(in[0], in[1], in[2]) * std::hypot(out[0], out[1], out[2]);
-  return lengths > 0 && dot(in, out) < corner_cosine * lengths;
+  return lengths > 0 ? dot(in, out) / lengths : 1;
+}
+
+/// A boundary loop as a closed curve.
+class Loop {
+ public:
+  Loop(const TriangleMesh& mesh, const std::vector<std::int32_t>& vertices)
+      : mesh_(mesh), vertices_(vertices) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      length_ += edge(i);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return vertices_.size(); }
+  [[nodiscard]] double length() const { return length_; }
+
+  /// Cosine of the turn at vertex i, seen from the points at the given distance along the loop; from
+  /// the neighbours when these are farther.
+  [[nodiscard]] double turn(std::size_t i, double reach) const {
+    const Position& p = position(i);
+    return cosine_between(minus(p, point(i, reach, size() - 1)), minus(point(i, reach, 1), p));
+  }
+
+  /// The sharpest turn, as its cosine, of the candidates within reach of vertex i along the loop.
+  [[nodiscard]] double sharpest(std::size_t i, double reach,
+                                const std::vector<double>& cosine) const {
+    double least = cosine[i];
+    for (const std::size_t step : {std::size_t{1}, size() - 1}) {
+      double gone = 0;
+      std::size_t j = i;
+      for (std::size_t n = 0; n < size() && gone <= reach; ++n) {
+        least = std::min(least, cosine[j]);
+        gone += edge(step == 1 ? j : (j + step) % size());
+        j = (j + step) % size();
+      }
+    }
+    return least;
+  }
+
+ private:
+  [[nodiscard]] const Position& position(std::size_t i) const {
+    return at(mesh_, vertices_[i % size()]);
+  }
+  [[nodiscard]] double edge(std::size_t i) const {
+    return distance(mesh_, vertices_[i], vertices_[(i + 1) % size()]);
+  }
+
+  /// The point at a distance from vertex i along the loop, forwards (step 1) or backwards (size - 1);
+  /// the next vertex when that is farther.
+  [[nodiscard]] Position point(std::size_t i, double reach, std::size_t step) const {
+    const auto length_from = [&](std::size_t j) { return edge(step == 1 ? j : (j + step) % size()); };
+    double gone = length_from(i);
+    std::size_t j = (i + step) % size();
+    for (std::size_t n = 0; n < size() && gone + length_from(j) <= reach; ++n) {
+      gone += length_from(j);
+      j = (j + step) % size();
+    }
+    if (gone >= reach) {
+      return position(j);
+    }
+    const Position &p = position(j), &q = position(j + step);
+    const double s = (reach - gone) / length_from(j);
+    return {p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1]), p[2] + s * (q[2] - p[2])};
+  }
+
+  const TriangleMesh& mesh_;
+  const std::vector<std::int32_t>& vertices_;
+  double length_ = 0;
+};
+
+/// The corners of a loop, by number in it.
+std::vector<std::size_t> corners_of(const Loop& loop, double spacing) {
+  const double reach = std::min(spacing / 2, loop.length() / shortest_loop);
+  std::vector<double> cosine(loop.size(), 1.0);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (loop.turn(i, 0) < corner_cosine) {
+      cosine[i] = loop.turn(i, reach);
+    }
+  }
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (cosine[i] < corner_cosine && cosine[i] == loop.sharpest(i, reach, cosine)) {
+      out.push_back(i);
+    }
+  }
+  return out;
 }
 
 /// Distance from the arc's first vertex to each.
@@ -72,19 +158,17 @@ std::vector<std::size_t> pieces_of(const TriangleMesh& mesh, const BoundaryCurve
 
 }  // namespace
 
-BoundaryCurves boundary_curves(const TriangleMesh& mesh) {
+BoundaryCurves boundary_curves(const TriangleMesh& mesh, double spacing) {
   BoundaryCurves out;
   out.is_corner.resize(mesh.positions.size(), false);
   for (auto loop : boundary_loops(mesh)) {
     const std::size_t n = loop.size();
-    std::size_t first = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (turns(mesh, loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n])) {
-        out.is_corner[static_cast<std::size_t>(loop[i])] = true;
-        first = std::min(first, i);
-      }
+    const std::vector<std::size_t> corners = corners_of(Loop(mesh, loop), spacing);
+    for (const std::size_t i : corners) {
+      out.is_corner[static_cast<std::size_t>(loop[i])] = true;
     }
-    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first % n), loop.end());
+    const std::size_t first = corners.empty() ? 0 : corners.front();
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
     loop.push_back(loop.front());
     out.loops.emplace_back();
     for (std::size_t i = 0; i < n; ++i) {

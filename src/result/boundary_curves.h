@@ -16,8 +16,10 @@ struct BoundaryCurves {
   std::vector<bool> is_corner;                  ///< by vertex of the mesh
 };
 
-/// Corners are the boundary's vertices where it turns by more than 30 degrees.
-BoundaryCurves boundary_curves(const TriangleMesh& mesh);
+/// Corners are the boundary's vertices where it turns by more than 30 degrees, and still does when
+/// it is looked at over half the spacing either way: a jagged boundary has no corner at every tooth.
+/// Of several so close to each other the sharpest one is a corner.
+BoundaryCurves boundary_curves(const TriangleMesh& mesh, double spacing);
 
 /// A site on the boundary: at a vertex of the mesh to begin with.
 struct BoundarySite {

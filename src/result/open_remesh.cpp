@@ -97,7 +97,7 @@ Double make_double(const OpenSurface& open, double spacing, const Monitor& monit
     bisect_edges(half, size);
     DoubledSurface both = doubled(half, open.genus, boundary_loops(half));
     UniformizedSurface surface = uniformize(both.surface, {0, monitor});
-    Double out{half, boundary_curves(half), std::move(both), std::move(surface)};
+    Double out{half, boundary_curves(half, spacing), std::move(both), std::move(surface)};
     if (round == max_refinements || !resolve_log_scale(out, size)) {
       return out;
     }
