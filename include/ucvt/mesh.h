@@ -1,8 +1,9 @@
 // Triangle meshes: the input and the output of ucvt.
 //
 // A TriangleMesh is a plain list of positions and corner triples. `read_mesh` takes it from a file
-// as it stands there; `closed_surface` turns it into what the rest of ucvt requires (closed,
-// manifold, oriented, connected) or refuses it with one line that names the fault.
+// as it stands there; `closed_surface` turns it into what most of ucvt requires (closed, manifold,
+// oriented, connected) or refuses it with one line that names the fault; `open_surface` does so for
+// surfaces with boundary, which can be remeshed.
 #pragma once
 
 #include <array>
@@ -81,5 +82,22 @@ struct ClosedSurface {
 /// boundary, non-manifold edge or vertex, repeated corner, duplicate face, several components, not
 /// orientable.
 ClosedSurface closed_surface(const TriangleMesh& mesh);
+
+/// A mesh with boundary fit for remeshing, and how it was got.
+struct OpenSurface {
+  TriangleMesh mesh;  ///< used vertices only, in their order; faces oriented
+  int genus = 0;      ///< of the surface with its holes filled
+  int boundary_loops = 0;
+  std::vector<std::int32_t> input_vertex;  ///< index in the input of each vertex
+  std::int64_t reoriented_faces = 0;       ///< faces turned round to agree with the first one
+};
+
+/// True when some edge has one face only and the mesh does not close by welding coincident vertices.
+bool has_boundary(const TriangleMesh& mesh);
+
+/// As `closed_surface`, for a surface with one boundary loop or more. Throws InvalidInput as that
+/// does; boundary is no fault here unless welding coincident vertices would close it, and a closed
+/// surface is refused.
+OpenSurface open_surface(const TriangleMesh& mesh);
 
 }  // namespace ucvt

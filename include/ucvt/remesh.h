@@ -72,7 +72,8 @@ MeshQuality measure_quality(const TriangleMesh& mesh);
 
 struct RemeshReport {
   std::int64_t vertices = 0, faces = 0;
-  int genus = 0;
+  int genus = 0;           ///< of an open surface: with its holes filled
+  int boundary_loops = 0;  ///< as the input's
   bool simplicial = false;
   std::int64_t sites_added = 0;
   MeshQuality quality;
@@ -103,6 +104,17 @@ struct RemeshResult {
 /// the options do not fit (fewer than four sites on a sphere, fewer than one elsewhere, initial
 /// sites or sizes that do not fit T), Cancelled when the monitor said so, NumericalError as `uniformize`.
 RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options = {});
+
+/// Remeshes a surface with boundary with a CVT of the surface doubled across its boundary, kept
+/// symmetric (docs/boundaries.md).
+///
+/// The mesh has the surface's genus and boundary loops; `sites` counts its vertices, those on the
+/// boundary among them. These lie on the edges of the input's boundary, one at every corner that turns
+/// by more than 30 degrees. `surface` of the result is T of the double, `sites` are all of the double's
+/// (on the boundary first, then pair by pair), `cells` is empty; uniformity is that of the double,
+/// and a boundary vertex' cell is counted with its mirror image. Throws as for closed surfaces, and
+/// InvalidInput when there are fewer sites than the boundary needs, or initial sites are asked for.
+RemeshResult remesh(const OpenSurface& surface, const RemeshOptions& options = {});
 
 /// The sites of a finished run, and what its T and density are made from.
 struct SavedSites {

@@ -42,7 +42,7 @@ void choose_component(const SharedArguments& shared, std::vector<Component>& com
   components = {std::move(components[static_cast<std::size_t>(shared.component)])};
 }
 
-ClosedInput take(const TriangleMesh& mesh, const SharedArguments& shared) {
+ClosedInput take(const TriangleMesh& mesh, const SharedArguments& shared, Surfaces surfaces) {
   ClosedInput input;
   input.counts = survey(mesh);
   if (shared.repair) {
@@ -51,6 +51,9 @@ ClosedInput take(const TriangleMesh& mesh, const SharedArguments& shared) {
     input.repair = repaired.report;
     input.file_vertex = std::move(repaired.input_vertex);
     input.file_face = std::move(repaired.input_face);
+  } else if (surfaces == Surfaces::ClosedAndOpen && has_boundary(mesh)) {
+    input.open = open_surface(mesh);
+    return input;
   } else {
     input.components = closed_components(mesh);
   }
@@ -68,13 +71,14 @@ std::vector<std::int32_t> ClosedInput::faces_in_file(std::vector<std::int32_t> n
   return mapped(std::move(numbers), file_face);
 }
 
-ClosedInput read_closed_input(const SharedArguments& shared) {
+ClosedInput read_input(const SharedArguments& shared, Surfaces surfaces) {
   const std::string name = input_name(shared.input);
-  ClosedInput input = about_file(name, [&] { return take(read_mesh(shared.input), shared); });
+  ClosedInput input =
+      about_file(name, [&] { return take(read_mesh(shared.input), shared, surfaces); });
   if (input.repair && !shared.quiet) {
     print_line_to_stderr(fmt::format("{}: repair: {}", name, summary_of(*input.repair)));
   }
-  std::int64_t turned = 0;
+  std::int64_t turned = input.open ? input.open->reoriented_faces : 0;
   for (const Component& c : input.components) {
     turned += c.surface.reoriented_faces;
   }

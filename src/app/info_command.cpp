@@ -36,8 +36,12 @@ Findings examine(const TriangleMesh& mesh, const SharedArguments& shared) {
   found.counts = survey(mesh);
   found.quality = measure_quality(mesh);
   try {
-    for (const Component& c : closed_components(mesh)) {
-      found.reoriented_faces += c.surface.reoriented_faces;
+    if (has_boundary(mesh)) {
+      found.reoriented_faces = open_surface(mesh).reoriented_faces;
+    } else {
+      for (const Component& c : closed_components(mesh)) {
+        found.reoriented_faces += c.surface.reoriented_faces;
+      }
     }
   } catch (const InvalidInput& error) {
     found.refusal = error.what();
@@ -55,8 +59,10 @@ std::string genus_text(const MeshSurvey& counts) {
   return fmt::format("{}{}", genus_of(counts), counts.components > 1 ? " (all components)" : "");
 }
 
-std::string verdict(const std::string& refusal) {
-  return refusal.empty() ? "takes it" : "refuses it: " + refusal;
+std::string verdict(const std::string& refusal, bool open) {
+  return !refusal.empty() ? "refuses it: " + refusal
+         : open           ? "takes it; partition and uniformize need a closed surface"
+                          : "takes it";
 }
 
 std::string lines_of(const Findings& found) {
@@ -88,11 +94,11 @@ std::string lines_of(const Findings& found) {
                              s.angle_min_deg, q.angle_min_avg_deg, 100 * q.below_30)},
       {"Q", fmt::format("smallest {:.4g}, on average {:.4f}", q.q_min, q.q_avg)},
       {"regular", fmt::format("{:.2f} % of the vertices", 100 * q.regular)},
-      {"remesh", verdict(found.refusal)},
+      {"remesh", verdict(found.refusal, found.counts.boundary_edges > 0)},
   };
   if (found.repair) {
     lines.emplace_back("repair", summary_of(*found.repair));
-    lines.emplace_back("remesh --repair", verdict(found.refusal_after_repair));
+    lines.emplace_back("remesh --repair", verdict(found.refusal_after_repair, false));
   }
   return aligned(lines);
 }

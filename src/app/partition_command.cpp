@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const RemeshArguments& asked = arguments.remesh;
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(asked);
+  const SurfaceRun run = run_on_surface(asked, Surfaces::Closed);
   const auto [joined, figures] = about_file(input_name(asked.shared.input), [&] {
     JoinedPartition cut = partition(run.input.components, run.results);
     MadeFigures made =

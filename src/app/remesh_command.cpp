@@ -23,6 +23,8 @@ std::string summary(const SurfaceRun& run, Clock::time_point start) {
       {{"vertices", count(remesh.vertices)},
        {"faces", count(remesh.faces)},
        {"genus", count(remesh.genus)},
+       {"boundary",
+        fmt::format("{} loop{}", remesh.boundary_loops, remesh.boundary_loops == 1 ? "" : "s")},
        {"geometry", geometry_text(run)},
        {"iterations", fmt::format("{} ({}converged)", cvt.iterations, cvt.converged ? "" : "not ")},
        {"energy",
@@ -43,7 +45,7 @@ ExitStatus run_remesh(const RemeshArguments& arguments) {
   const auto start = Clock::now();
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(arguments);
+  const SurfaceRun run = run_on_surface(arguments, Surfaces::ClosedAndOpen);
   const TriangleMesh mesh = joined_mesh(run.results);
   const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
     const SurfaceFigureArguments& asked = arguments.figures;

@@ -42,11 +42,9 @@ Json uniformity_report(const UniformityReport& uniformity) {
 }
 
 Json dual_report(const RemeshReport& report) {
-  Json remesh = {{"vertices", report.vertices},
-                 {"faces", report.faces},
-                 {"genus", report.genus},
-                 {"simplicial", report.simplicial},
-                 {"sites_added", report.sites_added}};
+  Json remesh = {{"vertices", report.vertices},     {"faces", report.faces},
+                 {"genus", report.genus},           {"boundary_loops", report.boundary_loops},
+                 {"simplicial", report.simplicial}, {"sites_added", report.sites_added}};
   remesh.update(quality_report(report.quality));
   return remesh;
 }

@@ -46,18 +46,39 @@ void check_components(const RemeshArguments& a, const ClosedInput& input) {
   check(!a.figures.figure.empty() && a.figures.show == SurfaceShow::Cells, "--show cells");
 }
 
+void refuse_what_open_surfaces_lack(const RemeshArguments& arguments, const ClosedInput& input) {
+  if (!input.open) {
+    return;
+  }
+  const SurfaceFigureArguments& figures = arguments.figures;
+  const bool cells = !figures.figure.empty() && figures.show == SurfaceShow::Cells;
+  const char* const asked = !arguments.init_file.empty()                     ? "--init"
+                            : arguments.options.init == InitialSites::Random ? "--init random"
+                            : cells                                          ? "--show cells"
+                            : !figures.cover.empty()                         ? "--cover"
+                                                                             : nullptr;
+  if (asked != nullptr) {
+    throw Failure(ExitStatus::BadInput,
+                  fmt::format("{}: the surface is open, where there is no {}; leave it out",
+                              input_name(arguments.shared.input), asked));
+  }
+}
+
 }  // namespace
 
-SurfaceRun run_on_surface(const RemeshArguments& arguments) {
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces) {
   catch_signals();
   RemeshOptions options = options_of(arguments);
-  ClosedInput input = read_closed_input(arguments.shared);
+  ClosedInput input = read_input(arguments.shared, surfaces);
   check_components(arguments, input);
+  refuse_what_open_surfaces_lack(arguments, input);
   begin_computation();
   ProgressLine progress(arguments.shared);
   options.monitor = progress.monitor();
-  std::vector<RemeshResult> results = about_file(input_name(arguments.shared.input),
-                                                 [&] { return remesh(input.components, options); });
+  std::vector<RemeshResult> results = about_file(input_name(arguments.shared.input), [&] {
+    return input.open ? std::vector{remesh(*input.open, options)}
+                      : remesh(input.components, options);
+  });
   progress.clear();
   if (interrupted()) {
     throw interruption();
@@ -120,6 +141,10 @@ ExitStatus judge(const RemeshArguments& arguments, const JoinedReport& joined) {
   };
   if (const std::int64_t added = joined.remesh.sites_added; added > 0) {
     say(fmt::format("added {} site{} so that the mesh is simplicial", added, added == 1 ? "" : "s"),
+        false);
+  }
+  if (const int loops = joined.remesh.boundary_loops; loops > 0) {
+    say(fmt::format("the surface is open: {} boundary loop{}", loops, loops == 1 ? "" : "s"),
         false);
   }
   if (!joined.remesh.simplicial) {

@@ -17,7 +17,7 @@ struct SurfaceRun {
 };
 
 /// Reads the mesh and the sites to start from, and computes. Throws Failure, also when interrupted.
-SurfaceRun run_on_surface(const RemeshArguments& arguments);
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces);
 
 /// Writes --surface and --sites, of one component, where they are asked for. Throws Failure.
 void write_run(const RemeshArguments& arguments, const SurfaceRun& run);

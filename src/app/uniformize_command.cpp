@@ -81,7 +81,7 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
   catch_signals();
-  const ClosedInput input = read_closed_input(arguments.shared);
+  const ClosedInput input = read_input(arguments.shared);
   require_one_component(arguments.shared, input, "uniformize");
   const ClosedSurface& closed = input.components.front().surface;
   if (needs_cover(arguments)) {

@@ -213,8 +213,8 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
           std::move(uniform), report,       std::move(input_face)};
 }
 
-std::vector<Position> positions_on_input(const Uniformized& t,
-                                         const std::vector<SurfacePoint>& points) {
+std::vector<HomogeneousPoint> points_on_input(const Uniformized& t,
+                                              const std::vector<SurfacePoint>& points) {
   // A chord triangle of T and the light-cone vectors of its corners differ by the factors exp(u).
   std::vector<HomogeneousPoint> carried;
   carried.reserve(points.size());
@@ -232,9 +232,14 @@ std::vector<Position> positions_on_input(const Uniformized& t,
     carried.push_back(h);
   }
   t.intrinsic.log.undo(carried);
+  return carried;
+}
+
+std::vector<Position> positions_on_input(const Uniformized& t,
+                                         const std::vector<SurfacePoint>& points) {
   std::vector<Position> out;
   out.reserve(points.size());
-  for (const HomogeneousPoint& h : carried) {
+  for (const HomogeneousPoint& h : points_on_input(t, points)) {
     Position at{};
     const double sum = h.weight[0] + h.weight[1] + h.weight[2];
     for (std::size_t i = 0; i < 3; ++i) {

@@ -23,6 +23,10 @@ struct Uniformized {
 /// The work behind the public `uniformize`.
 Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOptions& options);
 
+/// Where points on T lie in the faces of `Uniformized::input`.
+std::vector<HomogeneousPoint> points_on_input(const Uniformized& t,
+                                              const std::vector<SurfacePoint>& points);
+
 /// Positions on the input surface of points on T.
 std::vector<Position> positions_on_input(const Uniformized& t,
                                          const std::vector<SurfacePoint>& points);

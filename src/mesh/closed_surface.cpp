@@ -6,6 +6,7 @@
 #include "mesh/invalid.h"
 #include "mesh/mesh_parts.h"
 #include "mesh/topology.h"
+#include "mesh/vertex_welder.h"
 #include "ucvt/components.h"
 
 namespace ucvt {
@@ -37,13 +38,33 @@ std::int64_t turn_faces(std::vector<bool> turned, std::vector<Corners>& faces) {
   return static_cast<std::int64_t>(count);
 }
 
-ClosedSurface make_surface(MeshPart&& part, const Topology& found) {
-  ClosedSurface surface;
-  surface.genus = static_cast<int>((2 - found.counts.euler_number) / 2);
+template <class Surface>
+Surface make_surface(MeshPart&& part, const Topology& found) {
+  Surface surface;
+  const std::int64_t loops = found.counts.boundary_loops;
+  surface.genus = static_cast<int>((2 - loops - found.counts.euler_number) / 2);
   surface.mesh = std::move(part.mesh);
   surface.input_vertex = std::move(part.input_vertex);
   surface.reoriented_faces = turn_faces(found.turned, surface.mesh.faces);
   return surface;
+}
+
+/// Whether the mesh is open only because one place has several vertices.
+bool closes_when_welded(const TriangleMesh& mesh) {
+  if (survey(mesh).coincident_vertices == 0) {
+    return false;
+  }
+  VertexWelder welder(mesh.positions.size());
+  TriangleMesh welded;
+  for (const Corners& f : mesh.faces) {
+    Corners corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = welder.number(mesh.positions[static_cast<std::size_t>(f[i])]);
+    }
+    welded.faces.push_back(corners);
+  }
+  welded.positions = std::move(welder.positions());
+  return analyze_topology(welded).counts.boundary_edges == 0;
 }
 
 }  // namespace
@@ -58,7 +79,8 @@ std::vector<Component> closed_components(const TriangleMesh& mesh) {
   for (MeshPart& part : parts) {
     const Topology own = parts.size() == 1 ? found : analyze_topology(part.mesh);
     std::vector<std::int32_t> input_face = std::move(part.input_face);
-    components.push_back({make_surface(std::move(part), own), std::move(input_face)});
+    components.push_back(
+        {make_surface<ClosedSurface>(std::move(part), own), std::move(input_face)});
   }
   return components;
 }
@@ -69,6 +91,30 @@ ClosedSurface closed_surface(const TriangleMesh& mesh) {
     refuse("the surface has {} components; give them one at a time", components.size());
   }
   return std::move(components.front().surface);
+}
+
+bool has_boundary(const TriangleMesh& mesh) {
+  return analyze_topology(mesh).boundary_side >= 0 && !closes_when_welded(mesh);
+}
+
+OpenSurface open_surface(const TriangleMesh& mesh) {
+  const Topology found = analyze_topology(mesh);
+  if (const std::string faults = describe_faults(mesh, found, false); !faults.empty()) {
+    refuse_faults(faults, mesh, found);
+  }
+  if (found.boundary_side < 0) {
+    refuse("the surface is closed; treat it as a closed one");
+  }
+  if (closes_when_welded(mesh)) {
+    refuse("the surface is open only because vertices repeat places of others; try --repair");
+  }
+  std::vector<MeshPart> parts = split_into_components(mesh);
+  if (parts.size() > 1) {
+    refuse("the open surface has {} components; give them one at a time", parts.size());
+  }
+  auto surface = make_surface<OpenSurface>(std::move(parts.front()), found);
+  surface.boundary_loops = static_cast<int>(found.counts.boundary_loops);
+  return surface;
 }
 
 }  // namespace ucvt

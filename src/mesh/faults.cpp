@@ -103,12 +103,12 @@ void add_boundary(const TriangleMesh& mesh, const Topology& found, std::vector<s
 
 }  // namespace
 
-std::string describe_faults(const TriangleMesh& mesh, const Topology& found) {
+std::string describe_faults(const TriangleMesh& mesh, const Topology& found, bool closed) {
   if (mesh.faces.empty()) {
     return "there are no faces";
   }
   std::vector<std::string> kinds, list;
-  if (found.boundary_side >= 0) {
+  if (closed && found.boundary_side >= 0) {
     kinds.emplace_back("open");
     add_boundary(mesh, found, list);
   }

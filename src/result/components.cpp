@@ -163,6 +163,7 @@ JoinedReport joined_report(const std::vector<RemeshResult>& results) {
     out.remesh.vertices += r.report.vertices;
     out.remesh.faces += r.report.faces;
     out.remesh.genus += r.report.genus;
+    out.remesh.boundary_loops += r.report.boundary_loops;
     out.remesh.simplicial = out.remesh.simplicial && r.report.simplicial;
     out.remesh.sites_added += r.report.sites_added;
     out.cvt.method = r.cvt.method;
