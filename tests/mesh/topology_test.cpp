@@ -131,8 +131,10 @@ TEST(ClosedSurface, NamesTheFault) {
   EXPECT_HAS(closed_refusal(mesh), "the surface is open: 1 boundary loop of 3 edges (first 0-2)");
   EXPECT_HAS(closed_refusal(abstract_mesh(3, {{0, 1, 2}, {0, 2, 1}})), "duplicate");
   EXPECT_HAS(closed_refusal(two_tetrahedra({4, 5, 6}, 7)), "2 components");
-  EXPECT_HAS(closed_refusal(two_tetrahedra({2, 5, 6}, 7)), "1 non-manifold vertex (first 2, of 2 fans)");
-  EXPECT_HAS(closed_refusal(two_tetrahedra({2, 3, 6}, 7)), "1 non-manifold edge (first 2-3, of 4 faces)");
+  EXPECT_HAS(closed_refusal(two_tetrahedra({2, 5, 6}, 7)),
+             "1 non-manifold vertex (first 2, of 2 fans)");
+  EXPECT_HAS(closed_refusal(two_tetrahedra({2, 3, 6}, 7)),
+             "1 non-manifold edge (first 2-3, of 4 faces)");
   EXPECT_HAS(closed_refusal(abstract_mesh(5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}})), "of 3 faces");
 }
 
