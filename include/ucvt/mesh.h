@@ -78,9 +78,9 @@ struct ClosedSurface {
 /// turns faces round where their orientations disagree.
 ///
 /// The abstract surface decides: any positions are accepted as long as they are finite. Throws
-/// InvalidInput naming the fault, one element (file numbering from 0) and a remedy for: no faces,
-/// boundary, non-manifold edge or vertex, repeated corner, duplicate face, several components, not
-/// orientable.
+/// InvalidInput that names all faults, each with its count and one element (numbering from 0), and a
+/// remedy: no faces, boundary, non-manifold edge or vertex, repeated corner, duplicate face, not
+/// orientable; else several components. `repair.h` mends, `components.h` takes several.
 ClosedSurface closed_surface(const TriangleMesh& mesh);
 
 /// A mesh with boundary fit for remeshing, and how it was got.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "mesh/hole_triangles.h"
 #include "mesh_test_support.h"
 #include "ucvt/components.h"
 
@@ -176,6 +177,61 @@ TEST(Repair, HolesThatTouchStayTwo) {
   EXPECT_EQ(r.report.closed_holes, 2);
   EXPECT_EQ(r.report.added_faces, 2);
   EXPECT_EQ(mended(r).front().surface.genus, 1);
+}
+
+TEST(Repair, AFaceAmongThreeHolesStays) {
+  const TriangleMesh whole = grid_surface(12, 9);
+  const Corners& kept = whole.faces[50];
+  TriangleMesh mesh = whole;
+  std::erase_if(mesh.faces, [&](const Corners& f) {
+    return std::count_if(f.begin(), f.end(), [&](std::int32_t v) {
+             return std::find(kept.begin(), kept.end(), v) != kept.end();
+           }) == 2;
+  });
+  const Repaired r = repair(mesh);
+  EXPECT_EQ(r.report.closed_holes, 3);
+  EXPECT_EQ(r.report.added_faces, 3);
+  EXPECT_EQ(mended(r).front().surface.genus, 1);
+}
+
+TEST(Repair, EdgesThatNoSplittingPartsAreCut) {
+  // Inside out, the cubes are holes in a body that touches itself between them.
+  TriangleMesh mesh = two_cubes(1, 1, 0);
+  for (Corners& f : mesh.faces) {
+    std::swap(f[0], f[1]);
+  }
+  const Repaired r = repair(mesh);
+  EXPECT_EQ(r.report.cut_edges, 1);
+  EXPECT_EQ(r.input_vertex.back(), -1);
+  const std::vector<Component> parts = mended(r);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].surface.genus, 0);
+}
+
+TEST(Repair, AnUmbrellaIsNotClosed) {
+  TriangleMesh mesh = {{{0, 0, 0}}, {}};
+  for (std::int32_t i = 0; i < 6; ++i) {
+    mesh.positions.push_back({std::cos(i), std::sin(i), 0.1});
+    mesh.faces.push_back({0, 1 + i, 1 + (i + 1) % 6});
+  }
+  const Repaired r = repair(mesh);
+  EXPECT_EQ(r.report.left_holes, 1);
+  EXPECT_EQ(r.mesh.faces, mesh.faces);
+}
+
+TEST(HoleTriangles, NeitherFoldNorUseForbiddenDiagonals) {
+  // A strip folded at the edge 1-4.
+  const std::vector<Position> folded = {{0, 0, 0},   {1, 0, 0}, {0, 0, 0.1},
+                                        {0, 1, 0.1}, {1, 1, 0}, {0, 1, 0}};
+  const auto only_along = [](std::size_t i, std::size_t j) { return i != 1 && j != 4; };
+  EXPECT_TRUE(hole_triangles(folded, only_along).empty());
+  const std::vector<Position> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const auto first = [](std::size_t i, std::size_t) { return i == 0; };
+  for (const Corners& t : hole_triangles(square, first)) {
+    EXPECT_EQ(std::count(t.begin(), t.end(), 1) + std::count(t.begin(), t.end(), 3), 2);
+  }
+  EXPECT_EQ(hole_triangles(square, first).size(), 2U);
+  EXPECT_TRUE(hole_triangles(square, [](std::size_t, std::size_t) { return true; }).empty());
 }
 
 TEST(Repair, OpenSurfacesStayOpen) {
