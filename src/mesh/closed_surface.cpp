@@ -17,7 +17,7 @@ namespace {
   if (mesh.faces.empty()) {
     refuse("{}; give a mesh with triangles or polygons", faults);
   }
-  if (may_be_repaired(found)) {
+  if (may_be_repaired(found) && found.counts.orientable) {
     refuse("{}; try --repair", faults);
   }
   refuse("{}; give a surface with two sides", faults);
