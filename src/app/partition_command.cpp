@@ -48,9 +48,9 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   });
   const std::string& report = asked.shared.report;
   write_output(asked.output, [&] { write_partition(asked.output, p); });
-  write_output(arguments.labels,
-               [&] { write_labels(arguments.labels, p,
-                            std::get<ClosedSurface>(run.input.surface).input_vertex); });
+  write_output(arguments.labels, [&] {
+    write_labels(arguments.labels, p, std::get<ClosedSurface>(run.input.surface).input_vertex);
+  });
   write_output(arguments.cells, [&] { write_cells(arguments.cells, p); });
   write_run(asked, run.result);
   write_figures(figures);

@@ -97,12 +97,10 @@ void add_remesh_report(Json& report, const RemeshResult& result) {
   report["cvt"] = cvt_report(result.cvt);
   report["uniformity"] = uniformity_report(result.uniformity);
   report["surface"] = {{"cell_area", spread_report(result.cell_area_3d)}};
-  Json remesh = {{"vertices", result.report.vertices},
-                 {"faces", result.report.faces},
-                 {"genus", result.report.genus},
-                 {"boundary_loops", result.report.boundary_loops},
-                 {"simplicial", result.report.simplicial},
-                 {"sites_added", result.report.sites_added}};
+  Json remesh = {
+      {"vertices", result.report.vertices},     {"faces", result.report.faces},
+      {"genus", result.report.genus},           {"boundary_loops", result.report.boundary_loops},
+      {"simplicial", result.report.simplicial}, {"sites_added", result.report.sites_added}};
   remesh.update(quality_report(result.report.quality));
   report["remesh"] = std::move(remesh);
 }

@@ -47,11 +47,11 @@ void refuse_what_open_surfaces_lack(const RemeshArguments& arguments, const Surf
   }
   const SurfaceFigureArguments& figures = arguments.figures;
   const bool cells = !figures.figure.empty() && figures.show == SurfaceShow::Cells;
-  const char* const asked = !arguments.init_file.empty()                         ? "--init"
+  const char* const asked = !arguments.init_file.empty()                     ? "--init"
                             : arguments.options.init == InitialSites::Random ? "--init random"
-                            : cells                                              ? "--show cells"
-                            : !figures.cover.empty()                             ? "--cover"
-                                                                                 : nullptr;
+                            : cells                                          ? "--show cells"
+                            : !figures.cover.empty()                         ? "--cover"
+                                                                             : nullptr;
   if (asked != nullptr) {
     throw Failure(ExitStatus::BadInput,
                   fmt::format("{}: the surface is open, where there is no {}; leave it out",
@@ -110,10 +110,6 @@ ExitStatus judge(const RemeshArguments& arguments, const RemeshResult& result) {
   };
   if (const std::int64_t added = result.report.sites_added; added > 0) {
     say(fmt::format("added {} site{} so that the mesh is simplicial", added, added == 1 ? "" : "s"),
-        false);
-  }
-  if (const int loops = result.report.boundary_loops; loops > 0) {
-    say(fmt::format("the surface is open: {} boundary loop{}", loops, loops == 1 ? "" : "s"),
         false);
   }
   if (!result.report.simplicial) {

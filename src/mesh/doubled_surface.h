@@ -11,8 +11,8 @@
 namespace ucvt {
 
 struct DoubledSurface {
-  ClosedSurface surface;              ///< the half's vertices and faces first, in their order
-  std::vector<std::int32_t> mirror;   ///< image of each vertex; itself on the boundary
+  ClosedSurface surface;             ///< the half's vertices and faces first, in their order
+  std::vector<std::int32_t> mirror;  ///< image of each vertex; itself on the boundary
 };
 
 /// Requires an oriented manifold of the given genus with these boundary loops, and no edge inside it

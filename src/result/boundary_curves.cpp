@@ -89,7 +89,9 @@ class Loop {
   /// The point at a distance from vertex i along the loop, forwards (step 1) or backwards (size - 1);
   /// the next vertex when that is farther.
   [[nodiscard]] Position point(std::size_t i, double reach, std::size_t step) const {
-    const auto length_from = [&](std::size_t j) { return edge(step == 1 ? j : (j + step) % size()); };
+    const auto length_from = [&](std::size_t j) {
+      return edge(step == 1 ? j : (j + step) % size());
+    };
     double gone = length_from(i);
     std::size_t j = (i + step) % size();
     for (std::size_t n = 0; n < size() && gone + length_from(j) <= reach; ++n) {

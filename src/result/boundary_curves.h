@@ -31,8 +31,7 @@ struct BoundarySite {
 /// Sites at all corners and between them at about the spacing, three at least on every loop; loop by
 /// loop, in order along it.
 std::vector<std::vector<BoundarySite>> boundary_sites(const TriangleMesh& mesh,
-                                                      const BoundaryCurves& curves,
-                                                      double spacing);
+                                                      const BoundaryCurves& curves, double spacing);
 
 /// n vertices off the boundary, each as far as possible from the boundary's sites and those before it
 /// by shortest paths along edges; fewer when the mesh has no more.

@@ -139,8 +139,7 @@ std::vector<Halfedge> HalfView::edges_not_simplicial() const {
   std::vector<Halfedge> out;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto& [a, b, inside, height, h] = edges[i];
-    const bool again =
-        i > 0 && std::get<0>(edges[i - 1]) == a && std::get<1>(edges[i - 1]) == b;
+    const bool again = i > 0 && std::get<0>(edges[i - 1]) == a && std::get<1>(edges[i - 1]) == b;
     if (a == b || again) {
       out.push_back(h);
     }
