@@ -143,10 +143,6 @@ ExitStatus judge(const RemeshArguments& arguments, const JoinedReport& joined) {
     say(fmt::format("added {} site{} so that the mesh is simplicial", added, added == 1 ? "" : "s"),
         false);
   }
-  if (const int loops = joined.remesh.boundary_loops; loops > 0) {
-    say(fmt::format("the surface is open: {} boundary loop{}", loops, loops == 1 ? "" : "s"),
-        false);
-  }
   if (!joined.remesh.simplicial) {
     say("the mesh is not simplicial (loops or double edges); ask for more sites",
         arguments.options.ensure_simplicial);

@@ -30,6 +30,9 @@ constexpr double edge_per_spacing = 0.5;
 constexpr double steepest_edge = 0.5;
 constexpr int max_refinements = 2;
 
+/// Times that boundary sites are spread wider when they are too many.
+constexpr int max_tries = 20;
+
 /// Rounds of mending the boundary and the mesh, and the iterations of a round.
 constexpr int max_rounds = 40, round_iterations = 30;
 
@@ -129,8 +132,24 @@ class OpenRemesher {
   }
 
  private:
+  /// Sites on the boundary: fewer than asked for in all, if its loops and corners allow that.
+  [[nodiscard]] std::vector<std::vector<BoundarySite>> sparse_boundary(std::size_t asked) const {
+    double spacing = spacing_;
+    for (int tries = 0;; ++tries, spacing *= 1.25) {
+      auto out = boundary_sites(double_.half, double_.curves, spacing);
+      std::size_t count = 0;
+      for (const auto& loop : out) {
+        count += loop.size();
+      }
+      if (count < asked || tries == max_tries) {
+        return out;
+      }
+    }
+  }
+
   void place_sites() {
-    const auto boundary = boundary_sites(double_.half, double_.curves, spacing_);
+    const auto asked = static_cast<std::size_t>(options_.sites);
+    const auto boundary = sparse_boundary(asked);
     MirrorLayout layout;
     for (const auto& loop : boundary) {
       loops_.emplace_back();
@@ -141,12 +160,12 @@ class OpenRemesher {
         layout.fixed.push_back(site.fixed);
       }
     }
-    const auto asked = static_cast<std::size_t>(options_.sites);
     if (asked <= line_.size()) {
+      const auto corners = std::count(layout.fixed.begin(), layout.fixed.end(), true);
       throw InvalidInput(fmt::format(
-          "{} sites are too few for a boundary of {} with {} corners; ask for at least {}", asked,
-          open_.boundary_loops == 1 ? "one loop" : fmt::format("{} loops", open_.boundary_loops),
-          std::count(layout.fixed.begin(), layout.fixed.end(), true), line_.size() + 1));
+          "{} sites are too few for a boundary of {} loop{} with {} corner{}; ask for at least {}",
+          asked, open_.boundary_loops, open_.boundary_loops == 1 ? "" : "s", corners,
+          corners == 1 ? "" : "s", line_.size() + 1));
     }
     const auto inner = inner_sites(double_.half, double_.curves, boundary, asked - line_.size());
     for (const std::int32_t v : inner) {
@@ -270,7 +289,9 @@ class OpenRemesher {
   [[nodiscard]] RemeshResult collect() {
     const HalfView half = view();
     if (!half.gaps().empty()) {
-      throw NumericalError("triangles cross the boundary; ask for more sites");
+      throw InvalidInput(
+          fmt::format("{} sites are too few: triangles would cross the boundary; ask for more",
+                      options_.sites));
     }
     const HalfMesh mesh = half.mesh();
     RemeshResult out{{positions(mesh.sites), mesh.faces},

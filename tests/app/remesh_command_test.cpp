@@ -56,8 +56,9 @@ TEST(RemeshCommand, ReportHasAllKeys) {
   }
   expect_keys(report["surface"], {"cell_area"});
   expect_keys(report["surface"]["cell_area"], spread);
-  expect_keys(report["remesh"], {"vertices", "faces", "genus", "simplicial", "sites_added", "q_min",
-                                 "q_avg", "angle_min", "angle_min_avg", "below_30", "regular"});
+  expect_keys(report["remesh"],
+              {"vertices", "faces", "genus", "boundary_loops", "simplicial", "sites_added", "q_min",
+               "q_avg", "angle_min", "angle_min_avg", "below_30", "regular"});
 }
 
 TEST(RemeshCommand, ReportSaysWhatWasDone) {
@@ -238,13 +239,43 @@ TEST(RemeshCommand, BadInputIsOneLine) {
   };
   refused("empty.off", "");
   refused("words.off", "these are words");
-  refused("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  refused("pinched.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
   refused("range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   const std::string missing = folder.file("missing.off");
   const Outcome outcome =
       run({"remesh", missing, "-n", "9", "--tolerance", "0.01", "-o", folder.file("o.off")});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_HAS(only_line(outcome.err), missing + ": cannot open the file");
+}
+
+TEST(RemeshCommand, TakesSurfacesWithBoundary) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh = grid_surface(20, 12);
+  mesh.faces.pop_back();
+  write_mesh(folder.file("open.off"), mesh);
+  const std::vector<std::string> asked{
+      "remesh", folder.file("open.off"), "-n", "100", "--tolerance", "0.01", "-o"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = asked;
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  const Outcome outcome = with({folder.file("out.off"), "--report", folder.file("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_HAS(outcome.out, "1 loop\n");
+  const OpenSurface surface = open_surface(read_mesh(folder.file("out.off")));
+  EXPECT_EQ(surface.genus, 1);
+  EXPECT_EQ(surface.boundary_loops, 1);
+  EXPECT_EQ(surface.mesh.positions.size(), 100U);
+  const nlohmann::json report = nlohmann::json::parse(slurp(folder.file("r.json")));
+  EXPECT_EQ(report["remesh"]["genus"], 1);
+  EXPECT_EQ(report["remesh"]["boundary_loops"], 1);
+
+  const Outcome random = with({folder.file("no.off"), "--init", "random"});
+  EXPECT_EQ(random.status, 3);
+  EXPECT_HAS(only_line(random.err), "the surface is open, where there is no --init random");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("no.off")));
 }
 
 TEST(RemeshCommand, TooFewSitesAreRefused) {
