@@ -5,6 +5,7 @@
 // formats. The commands take these structs.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -18,11 +19,22 @@
 
 namespace ucvt {
 
+struct LimitArguments {
+  double seconds = 0;          ///< 0: none
+  std::int64_t megabytes = 0;  ///< of memory that the program may take; 0: no limit
+};
+
+struct CheckpointArguments {
+  std::string path;           ///< empty: none
+  double every_seconds = 30;  ///< 0: at every restart point
+};
+
 struct SharedArguments {
   std::string input;   ///< "-": standard input; empty for the commands that read no mesh
   std::string report;  ///< empty: none
   bool quiet = false;
   bool verbose = false;
+  LimitArguments limits;
 };
 
 /// Of remesh, and of what partition has in common with it.
@@ -32,6 +44,7 @@ struct RemeshArguments {
   std::string surface;    ///< empty: not written
   std::string sites;      ///< empty: not written
   std::string init_file;  ///< empty: options.init holds
+  CheckpointArguments checkpoint;
   RemeshOptions options;
   SurfaceFigureArguments figures;
   bool sites_given = false;

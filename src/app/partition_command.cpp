@@ -39,13 +39,16 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const RemeshArguments& asked = arguments.remesh;
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(asked);
+  CheckpointFile checkpoint(asked.checkpoint);
+  Supervisor supervisor(asked.shared.limits, &checkpoint);
+  const SurfaceRun run = run_on_surface(asked, supervisor, checkpoint);
   const auto [p, figures] = about_file(input_name(asked.shared.input), [&] {
     Partition cut = partition(run.result);
     MadeFigures made = make_figures(asked.figures, run.result, &cut);
     return std::pair(std::move(cut), std::move(made));
   });
   const std::string& report = asked.shared.report;
+  supervisor.begin_outputs();
   write_output(asked.output, [&] { write_partition(asked.output, p); });
   write_output(arguments.labels,
                [&] { write_labels(arguments.labels, p, run.input.surface.input_vertex); });

@@ -41,7 +41,9 @@ ExitStatus run_remesh(const RemeshArguments& arguments) {
   const auto start = Clock::now();
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(arguments);
+  CheckpointFile checkpoint(arguments.checkpoint);
+  Supervisor supervisor(arguments.shared.limits, &checkpoint);
+  const SurfaceRun run = run_on_surface(arguments, supervisor, checkpoint);
   const RemeshResult& result = run.result;
   const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
     const SurfaceFigureArguments& asked = arguments.figures;
@@ -50,6 +52,7 @@ ExitStatus run_remesh(const RemeshArguments& arguments) {
     return make_figures(asked, result, cut ? &*cut : nullptr);
   });
   const std::string& report = arguments.shared.report;
+  supervisor.begin_outputs();
   write_output(arguments.output, [&] { write_mesh(arguments.output, result.mesh); });
   write_run(arguments, result);
   write_figures(figures);

@@ -17,34 +17,29 @@ RemeshOptions options_of(const RemeshArguments& arguments) {
   }
   const std::string name = input_name(arguments.init_file);
   SavedSites saved = about_file(name, [&] { return read_sites(arguments.init_file); });
-  options.initial_sites = std::move(saved.sites);
-  options.refine_for = saved.refine_for;
-  options.initial_size = std::move(saved.size);
-  const std::size_t found = options.initial_sites.size();
-  if (arguments.sites_given && found != static_cast<std::size_t>(options.sites)) {
+  const int asked = options.sites;
+  start_from(options, std::move(saved));
+  if (arguments.sites_given && asked != options.sites) {
     throw Failure(ExitStatus::Usage,
                   fmt::format("{}: there are {} sites, but -n asks for {}; leave -n out", name,
-                              found, options.sites));
+                              options.sites, asked));
   }
-  options.sites = static_cast<int>(found);
   return options;
 }
 
 }  // namespace
 
-SurfaceRun run_on_surface(const RemeshArguments& arguments) {
-  catch_signals();
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Supervisor& supervisor,
+                          CheckpointFile& checkpoint) {
   RemeshOptions options = options_of(arguments);
   ClosedInput input = read_closed_input(arguments.shared);
   begin_computation();
-  ProgressLine progress(arguments.shared);
+  ProgressLine progress(arguments.shared, supervisor);
   options.monitor = progress.monitor();
-  RemeshResult result = about_file(input_name(arguments.shared.input),
-                                   [&] { return remesh(input.surface, options); });
-  progress.clear();
-  if (interrupted()) {
-    throw interruption();
-  }
+  options.checkpoint = checkpoint.writer();
+  RemeshResult result = about_file(input_name(arguments.shared.input), [&] {
+    return supervisor.watch([&] { return remesh(input.surface, options); });
+  });
   return {std::move(input), std::move(result)};
 }
 

@@ -7,6 +7,7 @@
 #include "app/failure.h"
 #include "app/options.h"
 #include "app/report.h"
+#include "app/supervisor.h"
 
 namespace ucvt {
 
@@ -15,8 +16,10 @@ struct SurfaceRun {
   RemeshResult result;
 };
 
-/// Reads the mesh and the sites to start from, and computes. Throws Failure, also when interrupted.
-SurfaceRun run_on_surface(const RemeshArguments& arguments);
+/// Reads the mesh and the sites to start from, and computes. Throws Failure, also when it was asked
+/// to stop.
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Supervisor& supervisor,
+                          CheckpointFile& checkpoint);
 
 /// Writes --surface and --sites where they are asked for. Throws Failure.
 void write_run(const RemeshArguments& arguments, const RemeshResult& result);

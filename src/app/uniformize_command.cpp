@@ -43,7 +43,8 @@ bool needs_cover(const UniformizeArguments& arguments) {
 }
 
 void write_outputs(const UniformizeArguments& arguments, const ClosedInput& input,
-                   const UniformizedSurface& surface, Clock::time_point start) {
+                   const UniformizedSurface& surface, Clock::time_point start,
+                   Supervisor& supervisor) {
   std::optional<Cover> cover;
   const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
     if (needs_cover(arguments)) {
@@ -51,6 +52,7 @@ void write_outputs(const UniformizeArguments& arguments, const ClosedInput& inpu
     }
     return make_figures(arguments.figures, surface, cover ? &*cover : nullptr);
   });
+  supervisor.begin_outputs();
   write_output(arguments.output, [&] { surface.write(arguments.output); });
   write_output(arguments.group, [&] { cover->write_group(arguments.group); });
   write_output(arguments.loops, [&] { cover->write_loops(arguments.loops); });
@@ -76,7 +78,7 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   const auto start = Clock::now();
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  catch_signals();
+  Supervisor supervisor(arguments.shared.limits);
   const ClosedInput input = read_closed_input(arguments.shared);
   if (needs_cover(arguments)) {
     about_file(input_name(arguments.shared.input), [&] {
@@ -89,16 +91,14 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
     limit.emplace(tbb::global_control::max_allowed_parallelism,
                   static_cast<std::size_t>(arguments.threads));
   }
-  ProgressLine progress(arguments.shared);
+  ProgressLine progress(arguments.shared, supervisor);
   UniformizeOptions options;
   options.monitor = progress.monitor();
-  const UniformizedSurface surface = about_file(input_name(arguments.shared.input),
-                                                [&] { return uniformize(input.surface, options); });
+  const UniformizedSurface surface = about_file(input_name(arguments.shared.input), [&] {
+    return supervisor.watch([&] { return uniformize(input.surface, options); });
+  });
   progress.clear();
-  if (interrupted()) {
-    throw interruption();
-  }
-  write_outputs(arguments, input, surface, start);
+  write_outputs(arguments, input, surface, start, supervisor);
   if (!arguments.shared.quiet && !takes_stdout(outputs)) {
     print_results(summary(input, surface.report(), start));
   }
