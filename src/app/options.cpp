@@ -74,6 +74,8 @@ RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments,
                      "how sites are moved (default lbfgs)");
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
+  app.add_flag("--check", arguments.check,
+               "check the result once more, by other ways, before it is written");
   add_threads(app, arguments.options.threads);
   add_surface_figure(app, arguments.figures, shows, false);
   add_cover_coordinates(app, arguments.figures.cover_picture.coordinates);

@@ -1,5 +1,8 @@
 #include "app/supervisor.h"
 
+#include <new>
+#include <system_error>
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -32,7 +35,11 @@ Supervisor::Supervisor(const LimitArguments& limits, CheckpointFile* checkpoint)
     limit_memory(limits.megabytes);
   }
   catch_signals();
-  thread_ = std::thread([this] { look_on(); });
+  try {
+    thread_ = std::thread([this] { look_on(); });
+  } catch (const std::system_error&) {
+    throw std::bad_alloc();  // there is no room for a thread
+  }
 }
 
 Supervisor::~Supervisor() {

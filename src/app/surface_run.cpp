@@ -5,6 +5,7 @@
 #include "app/outputs.h"
 #include "app/progress.h"
 #include "app/signals.h"
+#include "ucvt/check.h"
 
 namespace ucvt {
 namespace {
@@ -38,7 +39,13 @@ SurfaceRun run_on_surface(const RemeshArguments& arguments, Supervisor& supervis
   options.monitor = progress.monitor();
   options.checkpoint = checkpoint.writer();
   RemeshResult result = about_file(input_name(arguments.shared.input), [&] {
-    return supervisor.watch([&] { return remesh(input.surface, options); });
+    return supervisor.watch([&] {
+      RemeshResult made = remesh(input.surface, options);
+      if (arguments.check) {
+        check(made);
+      }
+      return made;
+    });
   });
   return {std::move(input), std::move(result)};
 }
