@@ -310,8 +310,6 @@ class Remesher {
     if (!options_.ensure_simplicial || at_.round >= max_rounds || !make_room()) {
       return false;
     }
-    ++at_.round;
-    offer_checkpoint(sites_->sites());
     return true;
   }
 
@@ -443,6 +441,8 @@ class Remesher {
     sites_.reset();
     mass_ = std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_));
     sites_ = std::make_unique<Tessellation>(*mass_, sites);
+    ++at_.round;
+    offer_checkpoint(sites);
     return true;
   }
 
@@ -508,6 +508,9 @@ RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options) 
     used.sites = static_cast<int>(used.initial_sites.size());
   }
   check_count(surface, used.sites);
+  if (used.progress) {
+    check_count(surface, static_cast<int>(used.initial_sites.size()));
+  }
   if (used.refine_for <= 0) {
     used.refine_for = used.sites;
   }
