@@ -16,7 +16,7 @@ namespace {
 
 using namespace ucvt;
 
-/// Sites wander: every one goes to its centroid or, every other time, as far beyond it.
+/// Every site goes to a fifth of its spacing off its centroid, in a direction that turns.
 void wander(Tessellation& sites, std::vector<CellState>& cells, int iteration) {
   sites.measure(cells);
   std::vector<Offset> target;
