@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,30 @@ enum class InitialSites : char { Multilevel, Random, Farthest };
 
 enum class Method : char { Lbfgs, Lloyd };
 
+/// How far a run had come at a restart point: what going on from its sites needs to know.
+struct RunProgress {
+  int sites = 0;           ///< that were asked for
+  int levels_left = 0;     ///< of a multilevel start
+  int round = 0;           ///< of making room for a simplicial dual mesh
+  bool closing = false;    ///< the round has made room and ends with a full optimisation
+  int evaluations = 0;     ///< done in the current optimisation
+  std::int64_t moved = 0;  ///< sites taken away elsewhere to keep their number
+  // CvtReport so far.
+  int iterations = 0;
+  std::vector<double> energy, max_move;
+};
+
+/// The sites of a run, and what its T and density are made from.
+struct SavedSites {
+  std::vector<Site> sites;
+  int refine_for = 0;
+  std::vector<double> size;
+  std::optional<RunProgress> progress = std::nullopt;  ///< of a run that has not ended
+};
+
+/// Is handed the state of a run at every restart point.
+using Checkpoint = std::function<void(const SavedSites&)>;
+
 struct RemeshOptions {
   int sites = 1000;
   std::uint64_t seed = 1;
@@ -30,11 +56,16 @@ struct RemeshOptions {
   std::vector<Site> initial_sites;   ///< when not empty: start here; their number is `sites`
   int refine_for = 0;                ///< refine T for this many sites; 0: for `sites`
   std::vector<double> initial_size;  ///< RemeshResult::size to start from; empty: 1 everywhere
-  int iterations = 1000;             ///< evaluations of all cells, at most, after the initial state
-  double tolerance = 1e-3;           ///< of the largest move, relative to the site's spacing
-  bool ensure_simplicial = true;     ///< add the few sites that a simplicial dual mesh needs
-  int threads = 0;                   ///< 0: all cores; results do not depend on it
+  /// When given: `initial_sites`, `refine_for` and `initial_size` are of a run that came so far. With
+  /// the surface and the other options of that run the result is the same to the bit as its own.
+  std::optional<RunProgress> progress = std::nullopt;
+  int iterations = 1000;    ///< evaluations of all cells, at most, after the initial state
+  double tolerance = 1e-3;  ///< of the largest move, relative to the site's spacing
+  bool ensure_simplicial =
+      true;         ///< make room for a simplicial dual mesh, with a few more sites if need be
+  int threads = 0;  ///< 0: all cores; results do not depend on it
   Monitor monitor;
+  Checkpoint checkpoint = nullptr;  ///< called between evaluations, from the calling thread
 };
 
 /// Mean, coefficient of variation and range.
@@ -102,7 +133,7 @@ struct RemeshResult {
 ///
 /// Running out of iterations is a status (`cvt.converged`), not an error. Throws InvalidInput when
 /// the options do not fit (fewer than four sites on a sphere, fewer than one elsewhere, initial
-/// sites or sizes that do not fit T), Cancelled when the monitor said so, NumericalError as `uniformize`.
+/// sites, sizes or progress that do not fit), Cancelled when the monitor said so, NumericalError as `uniformize`.
 RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options = {});
 
 /// Remeshes a surface with boundary with a CVT of the surface doubled across its boundary, kept
@@ -112,19 +143,17 @@ RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options =
 /// boundary among them. These lie on the edges of the input's boundary, one at every corner that turns
 /// by more than 30 degrees. `surface` of the result is T of the double, `sites` are all of the double's
 /// (on the boundary first, then pair by pair), `cells` is empty; uniformity is that of the double,
-/// and a boundary vertex' cell is counted with its mirror image. Throws as for closed surfaces, and
-/// InvalidInput when there are fewer sites than the boundary needs, or initial sites are asked for.
+/// and a boundary vertex' cell is counted with its mirror image. Checkpoints are not called. Throws as
+/// for closed surfaces, and InvalidInput when there are fewer sites than the boundary needs, or initial
+/// sites are asked for.
 RemeshResult remesh(const OpenSurface& surface, const RemeshOptions& options = {});
-
-/// The sites of a finished run, and what its T and density are made from.
-struct SavedSites {
-  std::vector<Site> sites;
-  int refine_for = 0;
-  std::vector<double> size;
-};
 
 /// Reads and writes the sites of a tessellation as JSON (docs/formats.md).
 SavedSites read_sites(const std::string& path);
 void write_sites(const std::string& path, const RemeshResult& result);
+void write_sites(const std::string& path, const SavedSites& saved);
+
+/// Options that start from saved sites; `sites` is set to the number that their run was asked for.
+void start_from(RemeshOptions& options, SavedSites saved);
 
 }  // namespace ucvt

@@ -17,6 +17,9 @@ std::string output_name(const std::string& path) {
   return path == "-" ? "standard output" : path;
 }
 
+const char* const not_enough_memory =
+    "not enough memory; give a smaller mesh or ask for fewer sites";
+
 Failure interruption() {
   return {ExitStatus::NotFinished, "interrupted; no output was written"};
 }
@@ -41,8 +44,7 @@ void fail_about(const std::string& file) {
     throw fail(ExitStatus::NotFinished,
                has_remedy ? message : message + "; please report this mesh");
   } catch (const std::bad_alloc&) {
-    throw fail(ExitStatus::NotFinished,
-               "not enough memory; give a smaller mesh or ask for fewer sites");
+    throw fail(ExitStatus::NotFinished, not_enough_memory);
   } catch (const std::exception& error) {
     throw fail(ExitStatus::NotFinished,
                fmt::format("unexpected failure ({}); please report it", error.what()));

@@ -39,6 +39,9 @@ auto about_file(const std::string& file, const Work& work) -> decltype(work()) {
   }
 }
 
+/// What is said when memory ends.
+extern const char* const not_enough_memory;
+
 /// The Failure of an interrupted run.
 Failure interruption();
 

@@ -8,6 +8,7 @@
 #include "app/outputs.h"
 #include "app/report.h"
 #include "app/signals.h"
+#include "app/supervisor.h"
 #include "ucvt/components.h"
 #include "ucvt/error.h"
 #include "ucvt/mesh.h"
@@ -142,10 +143,11 @@ ExitStatus run_info(const InfoArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const std::string& report = arguments.shared.report;
   check_writable(outputs_of(arguments));
-  catch_signals();
+  Supervisor supervisor(arguments.shared.limits);
   const Findings found = about_file(input_name(arguments.shared.input), [&] {
     return examine(read_mesh(arguments.shared.input), arguments.shared);
   });
+  supervisor.begin_outputs();
   begin_computation();
   if (!report.empty()) {
     write_text(report, report_text(report_of(arguments, found, start)));

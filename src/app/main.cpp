@@ -4,6 +4,8 @@
 #include <string>
 #include <variant>
 
+#include <unistd.h>
+
 #include "app/failure.h"
 #include "app/info_command.h"
 #include "app/options.h"
@@ -42,7 +44,7 @@ ExitStatus run(int argc, const char* const* argv) {
     print_line_to_stderr(failure.what());
     return failure.status();
   } catch (const std::bad_alloc&) {
-    print_line_to_stderr("not enough memory; give a smaller mesh or ask for fewer sites");
+    print_line_to_stderr(not_enough_memory);
   } catch (const std::exception& error) {
     print_line_to_stderr(std::string("unexpected failure (") + error.what() +
                          "); please report it");
@@ -50,10 +52,26 @@ ExitStatus run(int argc, const char* const* argv) {
   return ExitStatus::NotFinished;
 }
 
+/// Memory may end where no exception can pass, which is no reason to abort.
+[[noreturn]] void end_in_order() {
+  try {
+    if (const std::exception_ptr current = std::current_exception()) {
+      std::rethrow_exception(current);
+    }
+    print_line_to_stderr("unexpected failure; please report it");
+  } catch (const std::bad_alloc&) {
+    print_line_to_stderr(not_enough_memory);
+  } catch (...) {
+    print_line_to_stderr("unexpected failure; please report it");
+  }
+  ::_exit(static_cast<int>(ExitStatus::NotFinished));
+}
+
 }  // namespace
 }  // namespace ucvt
 
 int main(int argc, char** argv) {
+  std::set_terminate(ucvt::end_in_order);
   try {
     return static_cast<int>(ucvt::run(argc, argv));
   } catch (...) {

@@ -14,6 +14,8 @@ namespace ucvt {
 namespace {
 
 constexpr int most_threads = 1024;
+constexpr std::int64_t most_megabytes = 1'000'000'000;
+constexpr double most_seconds = 1e9;
 
 /// Paths that name one file compare equal, as far as the file system knows.
 std::string canonical(const std::string& path) {
@@ -27,11 +29,34 @@ std::string canonical(const std::string& path) {
 
 const char* const version_line = "ucvt " UCVT_VERSION;
 
+namespace {
+
+void add_limits(CLI::App& app, LimitArguments& limits) {
+  add_seconds(app, "--time-limit", limits.seconds, "end the run, without outputs, after so long");
+  add_number(
+      app, "--memory-limit", limits.megabytes,
+      [](std::int64_t mb) { return mb >= 1 && mb <= most_megabytes; },
+      fmt::format("a whole number from 1 to {}", most_megabytes),
+      "end the run, without outputs, when it needs more memory")
+      ->type_name("MB");
+}
+
+}  // namespace
+
+void add_seconds(CLI::App& app, const std::string& name, double& seconds,
+                 const std::string& description) {
+  add_number(
+      app, name, seconds, [](double s) { return s >= 0 && s <= most_seconds; },
+      fmt::format("a number from 0 to {:.0e}", most_seconds), description)
+      ->type_name("SECONDS");
+}
+
 void add_shared(CLI::App& app, SharedArguments& shared) {
   app.add_option("--report", shared.report, "write a report as JSON")->type_name("FILE.json");
   CLI::Option* const quiet = app.add_flag("--quiet", shared.quiet, "print errors only");
   app.add_flag("--verbose", shared.verbose, "print one line for every iteration")->excludes(quiet);
   app.set_version_flag("--version", version_line, "print the version");
+  add_limits(app, shared.limits);
 }
 
 void add_threads(CLI::App& app, int& threads) {

@@ -64,8 +64,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target,
   return app.add_option_function<std::string>(name, read, description)->type_name(words);
 }
 
-/// --report, --quiet, --verbose, --version.
+/// --report, --quiet, --verbose, --version, --time-limit, --memory-limit.
 void add_shared(CLI::App& app, SharedArguments& shared);
+/// An option that takes a time.
+void add_seconds(CLI::App& app, const std::string& name, double& seconds,
+                 const std::string& description);
 void add_threads(CLI::App& app, int& threads);
 void add_seed(CLI::App& app, std::uint64_t& seed);
 CLI::Option* add_sites(CLI::App& app, int& sites);

@@ -92,12 +92,19 @@ RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments,
   app.add_option("--sites", arguments.sites, "write the sites on that surface")
       ->type_name("FILE.json");
   add_start(app, arguments);
+  app.add_option("--checkpoint", arguments.checkpoint.path,
+                 "write the state of the run now and then; --init FILE goes on from it")
+      ->type_name("FILE.json");
+  add_seconds(app, "--checkpoint-every", arguments.checkpoint.every_seconds,
+              "least time from one checkpoint to the next (default 30)");
   flags.stop = add_stop(app, arguments.options.iterations, arguments.options.tolerance);
   add_choice<Method>(app, "--method", arguments.options.method,
                      {{"lbfgs", Method::Lbfgs}, {"lloyd", Method::Lloyd}},
                      "how sites are moved (default lbfgs)");
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
+  app.add_flag("--check", arguments.check,
+               "check the result once more, by other ways, before it is written");
   add_threads(app, arguments.options.threads);
   add_surface_figure(app, arguments.figures, shows, false);
   add_cover_coordinates(app, arguments.figures.cover_picture.coordinates);
@@ -147,6 +154,9 @@ void check(const RemeshArguments& arguments, const std::string& command) {
   }
   if (arguments.shared.input == "-" && arguments.init_file == "-") {
     fail_usage("both the mesh and --init read standard input", command);
+  }
+  if (arguments.checkpoint.path == "-") {
+    fail_usage("--checkpoint needs a file, not standard output", command);
   }
   check_extension("--surface", arguments.surface, {".ply"}, command);
   check_surface_figure(arguments.figures, command);
@@ -217,13 +227,14 @@ std::string parse(CLI::App& app, int argc, const char* const* argv) {
 
 std::vector<std::string> outputs_of(const RemeshArguments& arguments) {
   return asked_for({arguments.output, arguments.surface, arguments.sites, arguments.figures.figure,
-                    arguments.figures.cover, arguments.shared.report});
+                    arguments.figures.cover, arguments.shared.report, arguments.checkpoint.path});
 }
 
 std::vector<std::string> outputs_of(const PartitionArguments& arguments) {
   const RemeshArguments& remesh = arguments.remesh;
   return asked_for({remesh.output, arguments.labels, arguments.cells, remesh.surface, remesh.sites,
-                    remesh.figures.figure, remesh.figures.cover, remesh.shared.report});
+                    remesh.figures.figure, remesh.figures.cover, remesh.shared.report,
+                    remesh.checkpoint.path});
 }
 
 std::vector<std::string> outputs_of(const UniformizeArguments& arguments) {

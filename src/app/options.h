@@ -5,6 +5,7 @@
 // formats. The commands take these structs.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,6 +20,16 @@
 
 namespace ucvt {
 
+struct LimitArguments {
+  double seconds = 0;          ///< 0: none
+  std::int64_t megabytes = 0;  ///< of memory that the program may take; 0: no limit
+};
+
+struct CheckpointArguments {
+  std::string path;           ///< empty: none
+  double every_seconds = 30;  ///< 0: at every restart point
+};
+
 struct SharedArguments {
   std::string input;   ///< "-": standard input; empty for the commands that read no mesh
   std::string report;  ///< empty: none
@@ -27,6 +38,7 @@ struct SharedArguments {
   bool repair = false;
   RepairOptions repair_options;
   int component = -1;  ///< -1: all
+  LimitArguments limits;
 };
 
 /// Of remesh, and of what partition has in common with it.
@@ -36,8 +48,14 @@ struct RemeshArguments {
   std::string surface;    ///< empty: not written
   std::string sites;      ///< empty: not written
   std::string init_file;  ///< empty: options.init holds
+  CheckpointArguments checkpoint;
   RemeshOptions options;
   SurfaceFigureArguments figures;
+#ifdef NDEBUG
+  bool check = false;
+#else
+  bool check = true;
+#endif
   bool sites_given = false;
   bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
 };

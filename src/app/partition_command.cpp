@@ -49,7 +49,9 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   const RemeshArguments& asked = arguments.remesh;
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(asked, Surfaces::Closed);
+  CheckpointFile checkpoint(asked.checkpoint);
+  Supervisor supervisor(asked.shared.limits, &checkpoint);
+  const SurfaceRun run = run_on_surface(asked, Surfaces::Closed, supervisor, checkpoint);
   const auto [joined, figures] = about_file(input_name(asked.shared.input), [&] {
     JoinedPartition cut = partition(run.input.components, run.results);
     MadeFigures made =
@@ -58,6 +60,7 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   });
   const Partition& p = joined.partition;
   const std::string& report = asked.shared.report;
+  supervisor.begin_outputs();
   write_output(asked.output, [&] { write_partition(asked.output, p); });
   write_output(arguments.labels, [&] {
     write_labels(arguments.labels, p, run.input.vertices_in_file(joined.input_vertex),

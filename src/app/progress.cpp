@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "app/signals.h"
-
 namespace ucvt {
 namespace {
 
@@ -21,8 +19,9 @@ std::string described(const Progress& progress) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(const SharedArguments& shared)
-    : verbose_(shared.verbose),
+ProgressLine::ProgressLine(const SharedArguments& shared, const Supervisor& supervisor)
+    : supervisor_(supervisor),
+      verbose_(shared.verbose),
       terminal_(!shared.quiet && !shared.verbose && ::isatty(STDERR_FILENO) == 1),
       next_(std::chrono::steady_clock::now()) {}
 
@@ -42,7 +41,7 @@ bool ProgressLine::tell(const Progress& progress) {
     next_ = now + between_rewrites;
     rewrite(described(progress));
   }
-  return !interrupted();
+  return !supervisor_.stop_asked();
 }
 
 void ProgressLine::rewrite(const std::string& text) {

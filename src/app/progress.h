@@ -9,13 +9,15 @@
 #include <string>
 
 #include "app/options.h"
+#include "app/supervisor.h"
 #include "ucvt/uniformize.h"
 
 namespace ucvt {
 
 class ProgressLine {
  public:
-  explicit ProgressLine(const SharedArguments& shared);
+  /// Keeps a reference to the supervisor.
+  ProgressLine(const SharedArguments& shared, const Supervisor& supervisor);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine(ProgressLine&&) = delete;
@@ -32,6 +34,7 @@ class ProgressLine {
   bool tell(const Progress& progress);
   void rewrite(const std::string& text);
 
+  const Supervisor& supervisor_;
   bool verbose_;
   bool terminal_;
   std::size_t shown_ = 0;  ///< characters on the line

@@ -45,7 +45,9 @@ ExitStatus run_remesh(const RemeshArguments& arguments) {
   const auto start = Clock::now();
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  const SurfaceRun run = run_on_surface(arguments, Surfaces::ClosedAndOpen);
+  CheckpointFile checkpoint(arguments.checkpoint);
+  Supervisor supervisor(arguments.shared.limits, &checkpoint);
+  const SurfaceRun run = run_on_surface(arguments, Surfaces::ClosedAndOpen, supervisor, checkpoint);
   const TriangleMesh mesh = joined_mesh(run.results);
   const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
     const SurfaceFigureArguments& asked = arguments.figures;
@@ -55,6 +57,7 @@ ExitStatus run_remesh(const RemeshArguments& arguments) {
     return make_figures(asked, run.results.front(), mesh, cut ? &*cut : nullptr);
   });
   const std::string& report = arguments.shared.report;
+  supervisor.begin_outputs();
   write_output(arguments.output, [&] { write_mesh(arguments.output, mesh); });
   write_run(arguments, run);
   write_figures(figures);

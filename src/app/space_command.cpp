@@ -94,7 +94,7 @@ Json report_of(const SpaceArguments& arguments, const SpaceResult& result,
 }
 
 void write_outputs(const SpaceArguments& arguments, const SpaceResult& result,
-                   Clock::time_point start) {
+                   Clock::time_point start, Supervisor& supervisor) {
   // What can be refused is made before the first file is written.
   std::optional<TriangleMesh> mesh;
   std::string figure;
@@ -106,6 +106,7 @@ void write_outputs(const SpaceArguments& arguments, const SpaceResult& result,
       figure = space_picture(result, arguments.picture);
     }
   });
+  supervisor.begin_outputs();
   write_output(arguments.output, [&] { write_mesh(arguments.output, *mesh); });
   write_output(arguments.cells,
                [&] { write_cells(arguments.cells, result, arguments.coordinates); });
@@ -144,19 +145,17 @@ ExitStatus run_space(const SpaceArguments& arguments) {
   const auto start = Clock::now();
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  catch_signals();
+  Supervisor supervisor(arguments.shared.limits);
   const Domain domain = domain_of(arguments);
   SpaceOptions options = options_of(arguments, domain);
   begin_computation();
-  ProgressLine progress(arguments.shared);
+  ProgressLine progress(arguments.shared, supervisor);
   options.monitor = progress.monitor();
-  const SpaceResult result =
-      about_file(subject(arguments), [&] { return tessellate(domain, options); });
+  const SpaceResult result = about_file(subject(arguments), [&] {
+    return supervisor.watch([&] { return tessellate(domain, options); });
+  });
   progress.clear();
-  if (interrupted()) {
-    throw interruption();
-  }
-  write_outputs(arguments, result, start);
+  write_outputs(arguments, result, start, supervisor);
   const ExitStatus status = judge(arguments, result);
   if (!arguments.shared.quiet && !takes_stdout(outputs)) {
     print_results(summary(arguments, result, start));

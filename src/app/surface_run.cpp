@@ -7,6 +7,7 @@
 #include "app/outputs.h"
 #include "app/progress.h"
 #include "app/signals.h"
+#include "ucvt/check.h"
 
 namespace ucvt {
 namespace {
@@ -19,16 +20,13 @@ RemeshOptions options_of(const RemeshArguments& arguments) {
   }
   const std::string name = input_name(arguments.init_file);
   SavedSites saved = about_file(name, [&] { return read_sites(arguments.init_file); });
-  options.initial_sites = std::move(saved.sites);
-  options.refine_for = saved.refine_for;
-  options.initial_size = std::move(saved.size);
-  const std::size_t found = options.initial_sites.size();
-  if (arguments.sites_given && found != static_cast<std::size_t>(options.sites)) {
+  const int asked = options.sites;
+  start_from(options, std::move(saved));
+  if (arguments.sites_given && asked != options.sites) {
     throw Failure(ExitStatus::Usage,
                   fmt::format("{}: there are {} sites, but -n asks for {}; leave -n out", name,
-                              found, options.sites));
+                              options.sites, asked));
   }
-  options.sites = static_cast<int>(found);
   return options;
 }
 
@@ -40,6 +38,7 @@ void check_components(const RemeshArguments& a, const ClosedInput& input) {
     }
   };
   check(!a.init_file.empty(), "--init FILE");
+  check(!a.checkpoint.path.empty(), "--checkpoint");
   check(!a.surface.empty(), "--surface");
   check(!a.sites.empty(), "--sites");
   check(!a.figures.cover.empty(), "--cover");
@@ -52,7 +51,9 @@ void refuse_what_open_surfaces_lack(const RemeshArguments& arguments, const Clos
   }
   const SurfaceFigureArguments& figures = arguments.figures;
   const bool cells = !figures.figure.empty() && figures.show == SurfaceShow::Cells;
-  const char* const asked = !arguments.init_file.empty()                     ? "--init"
+  const char* const asked = !arguments.checkpoint.path.empty()               ? "--checkpoint"
+                            : arguments.check                                ? "--check"
+                            : !arguments.init_file.empty()                   ? "--init"
                             : arguments.options.init == InitialSites::Random ? "--init random"
                             : cells                                          ? "--show cells"
                             : !figures.cover.empty()                         ? "--cover"
@@ -64,25 +65,35 @@ void refuse_what_open_surfaces_lack(const RemeshArguments& arguments, const Clos
   }
 }
 
+std::vector<RemeshResult> computed(const RemeshArguments& arguments, const ClosedInput& input,
+                                   const RemeshOptions& options) {
+  if (input.open) {
+    return {remesh(*input.open, options)};
+  }
+  std::vector<RemeshResult> results = remesh(input.components, options);
+  if (arguments.check) {
+    for (const RemeshResult& result : results) {
+      check(result);
+    }
+  }
+  return results;
+}
+
 }  // namespace
 
-SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces) {
-  catch_signals();
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces,
+                          Supervisor& supervisor, CheckpointFile& checkpoint) {
   RemeshOptions options = options_of(arguments);
   ClosedInput input = read_input(arguments.shared, surfaces);
   check_components(arguments, input);
   refuse_what_open_surfaces_lack(arguments, input);
   begin_computation();
-  ProgressLine progress(arguments.shared);
+  ProgressLine progress(arguments.shared, supervisor);
   options.monitor = progress.monitor();
+  options.checkpoint = checkpoint.writer();
   std::vector<RemeshResult> results = about_file(input_name(arguments.shared.input), [&] {
-    return input.open ? std::vector{remesh(*input.open, options)}
-                      : remesh(input.components, options);
+    return supervisor.watch([&] { return computed(arguments, input, options); });
   });
-  progress.clear();
-  if (interrupted()) {
-    throw interruption();
-  }
   JoinedReport joined = joined_report(results);
   return {std::move(input), std::move(results), std::move(joined)};
 }

@@ -7,6 +7,7 @@
 #include "app/failure.h"
 #include "app/options.h"
 #include "app/report.h"
+#include "app/supervisor.h"
 
 namespace ucvt {
 
@@ -16,8 +17,10 @@ struct SurfaceRun {
   JoinedReport joined;
 };
 
-/// Reads the mesh and the sites to start from, and computes. Throws Failure, also when interrupted.
-SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces);
+/// Reads the mesh and the sites to start from, and computes. Throws Failure, also when it was asked
+/// to stop.
+SurfaceRun run_on_surface(const RemeshArguments& arguments, Surfaces surfaces,
+                          Supervisor& supervisor, CheckpointFile& checkpoint);
 
 /// Writes --surface and --sites, of one component, where they are asked for. Throws Failure.
 void write_run(const RemeshArguments& arguments, const SurfaceRun& run);

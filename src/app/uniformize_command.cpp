@@ -44,7 +44,8 @@ bool needs_cover(const UniformizeArguments& arguments) {
 }
 
 void write_outputs(const UniformizeArguments& arguments, const ClosedInput& input,
-                   const UniformizedSurface& surface, Clock::time_point start) {
+                   const UniformizedSurface& surface, Clock::time_point start,
+                   Supervisor& supervisor) {
   std::optional<Cover> cover;
   const MadeFigures figures = about_file(input_name(arguments.shared.input), [&] {
     if (needs_cover(arguments)) {
@@ -52,6 +53,7 @@ void write_outputs(const UniformizeArguments& arguments, const ClosedInput& inpu
     }
     return make_figures(arguments.figures, surface, cover ? &*cover : nullptr);
   });
+  supervisor.begin_outputs();
   write_output(arguments.output, [&] { surface.write(arguments.output); });
   write_output(arguments.group, [&] { cover->write_group(arguments.group); });
   write_output(arguments.loops, [&] { cover->write_loops(arguments.loops); });
@@ -80,7 +82,7 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   const auto start = Clock::now();
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
-  catch_signals();
+  Supervisor supervisor(arguments.shared.limits);
   const ClosedInput input = read_input(arguments.shared);
   require_one_component(arguments.shared, input, "uniformize");
   const ClosedSurface& closed = input.components.front().surface;
@@ -95,16 +97,14 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
     limit.emplace(tbb::global_control::max_allowed_parallelism,
                   static_cast<std::size_t>(arguments.threads));
   }
-  ProgressLine progress(arguments.shared);
+  ProgressLine progress(arguments.shared, supervisor);
   UniformizeOptions options;
   options.monitor = progress.monitor();
-  const UniformizedSurface surface =
-      about_file(input_name(arguments.shared.input), [&] { return uniformize(closed, options); });
+  const UniformizedSurface surface = about_file(input_name(arguments.shared.input), [&] {
+    return supervisor.watch([&] { return uniformize(closed, options); });
+  });
   progress.clear();
-  if (interrupted()) {
-    throw interruption();
-  }
-  write_outputs(arguments, input, surface, start);
+  write_outputs(arguments, input, surface, start, supervisor);
   if (!arguments.shared.quiet && !takes_stdout(outputs)) {
     print_results(summary(closed, surface.report(), start));
   }

@@ -185,6 +185,12 @@ Domain polygon_domain(double kappa, std::vector<CentralPoint> corners) {
   out.kappa = kappa;
   out.polygon = std::move(corners);
   out.area = polygon_area(out);
+  if (!(out.area > 0 && std::isfinite(out.area))) {
+    throw InvalidInput(fmt::format(
+        "the polygon's area is {} in doubles; give corners of like size that do not lie on "
+        "one line",
+        out.area));
+  }
   return out;
 }
 

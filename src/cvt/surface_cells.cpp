@@ -101,6 +101,10 @@ SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation&
       }
     }
   }
+  if (std::any_of(lifts_.begin(), lifts_.end(),
+                  [](const Lift& lift) { return lift.owner.id < 0; })) {
+    throw NumericalError("a vertex of the surface lies in no cell");
+  }
   follow(d, std::vector<Offset>(places.size()));
 }
 

@@ -41,6 +41,10 @@ constexpr std::int64_t least_coarse = 32, most_coarse = 160;
 constexpr int level_evaluations = 80;
 constexpr double level_tolerance = 1e-3;
 
+/// Evaluations from one restart point to the next: there D, cells, frames and the optimiser's memory
+/// are made anew from the sites alone, whether anyone asks for a checkpoint or not.
+constexpr int leg_evaluations = 100;
+
 /// Draws of random initial sites before giving up.
 constexpr int max_draws = 200;
 
@@ -73,6 +77,14 @@ std::vector<SurfacePoint> as_points(const std::vector<Site>& sites, std::size_t 
                       i, s.face, faces));
     }
     out.push_back({{s.face}, s.bary});
+  }
+  return out;
+}
+
+std::vector<Site> as_sites(const std::vector<SurfacePoint>& points) {
+  std::vector<Site> out;
+  for (const SurfacePoint& p : points) {
+    out.push_back({p.face.id, p.bary});
   }
   return out;
 }
@@ -139,16 +151,15 @@ class Remesher {
         mass_(std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_))) {}
 
   RemeshResult run() {
-    place_initial_sites();
-    const std::size_t asked = sites_->site_count();
-    optimize(options_.iterations, options_.tolerance);
-    for (int round = 0; options_.ensure_simplicial && round < max_rounds && make_room(); ++round) {
-      optimize(std::min(round_iterations, options_.iterations), options_.tolerance);
-      if (edges_not_simplicial(sites_->delaunay()).empty()) {
-        optimize(options_.iterations, options_.tolerance);
-      }
+    if (options_.progress) {
+      go_on();
+    } else {
+      place_initial_sites();
     }
-    const auto added = static_cast<std::int64_t>(sites_->site_count() - asked);
+    while (leg()) {
+    }
+    const auto added =
+        static_cast<std::int64_t>(sites_->site_count()) - static_cast<std::int64_t>(options_.sites);
     cvt_.method = options_.method == Method::Lloyd ? "lloyd" : "lbfgs";
     cvt_.sites = static_cast<std::int64_t>(sites_->site_count());
     return collect(added);
@@ -156,15 +167,19 @@ class Remesher {
 
  private:
   /// True unless some face of D would have to be more than a hemisphere.
-  [[nodiscard]] bool covers_surface() const {
+  [[nodiscard]] bool covers_surface(const Tessellation& sites) const {
     const double wanted = surface_.report().area;
-    return std::abs(sites_->delaunay().area() - wanted) < 1e-6 * wanted;
+    return std::abs(sites.delaunay().area() - wanted) < 1e-6 * wanted;
   }
 
   void place_initial_sites() {
     const bool given = !options_.initial_sites.empty();
     if (!given && options_.init == InitialSites::Multilevel) {
-      place_level_by_level();
+      // A small CVT from random sites, then from level to level sites at the middles of all edges of
+      // D, as many as lead to the number asked for: its few defects are all there are in the end.
+      const LevelPlan plan = plan_levels(options_.sites, t_.surface.connectivity().euler_number());
+      at_.levels_left = plan.levels;
+      place_random_sites(plan.coarsest);
     } else if (!given && options_.init == InitialSites::Random) {
       place_random_sites(options_.sites);
     } else {
@@ -175,7 +190,7 @@ class Remesher {
 
   void place(const std::vector<SurfacePoint>& sites) {
     sites_ = std::make_unique<Tessellation>(*mass_, sites);
-    if (!covers_surface()) {
+    if (!covers_surface(*sites_)) {
       throw NumericalError("the initial sites lie in one hemisphere");
     }
   }
@@ -213,20 +228,6 @@ class Remesher {
     return farthest_sites(t_.surface, length, n, options_.seed);
   }
 
-  /// A small CVT from random sites, then from level to level sites at the middles of all edges of D,
-  /// as many as lead to the number asked for: its few defects are all there are in the end.
-  void place_level_by_level() {
-    const LevelPlan plan = plan_levels(options_.sites, t_.surface.connectivity().euler_number());
-    place_random_sites(plan.coarsest);
-    for (int level = 0; level < plan.levels; ++level) {
-      relax();
-      std::vector<Halfedge> edges = edges_by_length();
-      const auto room = static_cast<std::size_t>(options_.sites) - sites_->site_count();
-      edges.resize(std::min(edges.size(), room));
-      sites_->split_edges(edges);
-    }
-  }
-
   /// D's edges, those longest for their surroundings first.
   [[nodiscard]] std::vector<Halfedge> edges_by_length() const {
     const DelaunayTriangulation& d = sites_->delaunay();
@@ -247,26 +248,128 @@ class Remesher {
     return out;
   }
 
-  /// Optimizes a level of the initial state; its steps are not counted.
-  void relax() {
-    const OptimizeOptions options{options_.method, level_evaluations, level_tolerance};
-    if (ucvt::optimize(*sites_, options, options_.monitor).cancelled) {
-      throw Cancelled("interrupted; no output was written");
-    }
+  void split_longest_edges() {
+    std::vector<Halfedge> edges = edges_by_length();
+    const auto room = static_cast<std::size_t>(options_.sites) - sites_->site_count();
+    edges.resize(std::min(edges.size(), room));
+    sites_->split_edges(edges);
   }
 
-  void optimize(int evaluations, double tolerance) {
+  /// The state that a checkpoint holds.
+  void go_on() {
+    at_ = *options_.progress;
+    const auto n = options_.initial_sites.size();
+    const auto most = static_cast<std::int64_t>(most_moved * options_.sites);
+    if ((at_.levels_left > 0 && n > static_cast<std::size_t>(options_.sites)) || at_.moved < 0 ||
+        at_.moved > most || at_.levels_left < 0 || at_.round < 0 || at_.evaluations < 0) {
+      throw InvalidInput("the progress of the run does not fit its sites; give an unchanged file");
+    }
+    cvt_.iterations = at_.iterations;
+    cvt_.energy = std::move(at_.energy), cvt_.max_move = std::move(at_.max_move);
+    place(as_points(options_.initial_sites, t_.surface.connectivity().face_count()));
+  }
+
+  /// Limits of the current optimisation.
+  [[nodiscard]] OptimizeOptions limits() const {
+    if (at_.levels_left > 0) {
+      return {options_.method, level_evaluations, level_tolerance};
+    }
+    const bool short_round = at_.round > 0 && !at_.closing;
+    return {options_.method,
+            short_round ? std::min(round_iterations, options_.iterations) : options_.iterations,
+            options_.tolerance};
+  }
+
+  /// From one restart point to the next; false when the run is at its end.
+  bool leg() {
+    OptimizeOptions now = limits();
+    const bool ends = now.evaluations - at_.evaluations <= leg_evaluations;
+    now.evaluations = std::min(now.evaluations - at_.evaluations, leg_evaluations);
+    if (!optimize(now) && !ends) {
+      restart();
+      return true;
+    }
+    at_.evaluations = 0;
+    return next_optimisation();
+  }
+
+  /// Sets out for what follows on an optimisation; false when nothing does.
+  bool next_optimisation() {
+    if (at_.levels_left > 0) {
+      split_longest_edges();
+      --at_.levels_left;
+      restart();
+      return true;
+    }
+    if (at_.round > 0 && !at_.closing && edges_not_simplicial(sites_->delaunay()).empty()) {
+      at_.closing = true;
+      restart();
+      return true;
+    }
+    at_.closing = false;
+    if (!options_.ensure_simplicial || at_.round >= max_rounds || !make_room()) {
+      return false;
+    }
+    return true;
+  }
+
+  /// Makes D, cells and frames anew from the sites alone. Where doubles do not suffice for that the
+  /// run goes on as it is.
+  void restart() {
+    const std::vector<SurfacePoint> points = sites_->sites();
+    try {
+      auto anew = std::make_unique<Tessellation>(*mass_, points);
+      if (!covers_surface(*anew)) {
+        return;
+      }
+      sites_ = std::move(anew);
+    } catch (const InvalidInput&) {
+      return;
+    } catch (const NumericalError&) {
+      return;
+    }
+    offer_checkpoint(points);
+  }
+
+  void offer_checkpoint(const std::vector<SurfacePoint>& points) {
+    if (!options_.checkpoint) {
+      return;
+    }
+    SavedSites saved{as_sites(points), options_.refine_for, size_, at_};
+    saved.progress->sites = options_.sites;
+    saved.progress->iterations = cvt_.iterations;
+    saved.progress->energy = cvt_.energy, saved.progress->max_move = cvt_.max_move;
+    options_.checkpoint(saved);
+  }
+
+  /// True when it converged. The steps of a multilevel start are not counted.
+  bool optimize(const OptimizeOptions& limits) {
     const auto start = std::chrono::steady_clock::now();
-    const OptimizeOptions options{options_.method, evaluations, tolerance};
-    const OptimizeResult result = ucvt::optimize(*sites_, options, options_.monitor);
-    cvt_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    cvt_.iterations += result.evaluations;
-    cvt_.energy.insert(cvt_.energy.end(), result.energy.begin(), result.energy.end());
-    cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin(), result.max_move.end());
-    cvt_.converged = result.converged;
+    const int before = at_.evaluations;
+    const Monitor monitor = [&](const Progress& p) {
+      return !options_.monitor || options_.monitor({p.stage, before + p.iteration, p.residual});
+    };
+    const OptimizeResult result = ucvt::optimize(*sites_, limits, monitor);
     if (result.cancelled) {
       throw Cancelled("interrupted; no output was written");
     }
+    at_.evaluations += result.evaluations;
+    if (at_.levels_left == 0) {
+      record(result, before > 0);
+      cvt_.seconds +=
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    return result.converged;
+  }
+
+  /// `continued`: it starts where the one before ended, which is recorded.
+  void record(const OptimizeResult& result, bool continued) {
+    const std::ptrdiff_t first = continued ? 1 : 0;
+    cvt_.iterations += result.evaluations;
+    cvt_.energy.insert(cvt_.energy.end(), result.energy.begin() + first, result.energy.end());
+    cvt_.max_move.insert(cvt_.max_move.end(), result.max_move.begin() + first,
+                         result.max_move.end());
+    cvt_.converged = result.converged;
   }
 
   /// The sites whose cells hold least, no neighbours among them and none at an edge that is in the way:
@@ -274,7 +377,8 @@ class Remesher {
   std::vector<Vertex> spare_sites(const std::vector<NonSimplicialEdge>& in_the_way) {
     const DelaunayTriangulation& d = sites_->delaunay();
     const std::size_t n = sites_->site_count();
-    const auto allowed = static_cast<std::size_t>(most_moved * options_.sites) - moved_;
+    const auto allowed =
+        static_cast<std::size_t>(most_moved * options_.sites) - static_cast<std::size_t>(at_.moved);
     std::vector<CellState> cells(n);
     sites_->measure(cells);
     std::vector<std::pair<double, Vertex>> by_energy;
@@ -300,7 +404,7 @@ class Remesher {
             site, [&](Halfedge h) { taken[d.connectivity().head(h).index()] = true; });
       }
     }
-    moved_ += out.size();
+    at_.moved += static_cast<std::int64_t>(out.size());
     return out;
   }
 
@@ -337,6 +441,8 @@ class Remesher {
     sites_.reset();
     mass_ = std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_));
     sites_ = std::make_unique<Tessellation>(*mass_, sites);
+    ++at_.round;
+    offer_checkpoint(sites);
     return true;
   }
 
@@ -354,9 +460,7 @@ class Remesher {
                      {},
                      {},
                      {}};
-    for (const SurfacePoint& p : points) {
-      out.sites.push_back({p.face.id, p.bary});
-    }
+    out.sites = as_sites(points);
     out.uniformity = measure_uniformity(d);
     const SurfaceMass area_on_input(t_.surface, factor_);
     std::vector<double> areas;
@@ -383,18 +487,31 @@ class Remesher {
   std::vector<double> size_;  ///< wanted at T's vertices, relative to that spacing
   std::unique_ptr<SurfaceMass> mass_;
   std::unique_ptr<Tessellation> sites_;
-  std::size_t moved_ = 0;  ///< sites taken away to keep their number
+  RunProgress at_;  ///< but for what the CVT report holds
   CvtReport cvt_;
 };
 
 }  // namespace
 
+void start_from(RemeshOptions& options, SavedSites saved) {
+  options.sites = saved.progress ? saved.progress->sites : static_cast<int>(saved.sites.size());
+  options.initial_sites = std::move(saved.sites);
+  options.refine_for = saved.refine_for;
+  options.initial_size = std::move(saved.size);
+  options.progress = std::move(saved.progress);
+}
+
 RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options) {
   RemeshOptions used = options;
-  if (!used.initial_sites.empty()) {
+  if (used.progress) {
+    used.sites = used.progress->sites;
+  } else if (!used.initial_sites.empty()) {
     used.sites = static_cast<int>(used.initial_sites.size());
   }
   check_count(surface, used.sites);
+  if (used.progress) {
+    check_count(surface, static_cast<int>(used.initial_sites.size()));
+  }
   if (used.refine_for <= 0) {
     used.refine_for = used.sites;
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -11,66 +12,146 @@
 #include "ucvt/remesh.h"
 
 namespace ucvt {
+namespace {
+
+using nlohmann::json;
+
+/// No count in a file is larger; sums of two fit an int.
+constexpr std::int64_t largest_count = 1'000'000'000;
+
+InvalidInput wrong(const std::string& what) {
+  return InvalidInput(what + "; give a file that --sites or --checkpoint wrote");
+}
+
+bool is_count(const json& value, std::int64_t most) {
+  return value.is_number_integer() && value.get<std::int64_t>() >= 0 &&
+         value.get<std::int64_t>() <= most;
+}
+
+bool are_numbers(const json& list) {
+  return list.is_array() &&
+         std::all_of(list.begin(), list.end(), [](const json& x) { return x.is_number(); });
+}
+
+int read_count(const json& object, const char* name) {
+  if (!object.contains(name) || !is_count(object[name], largest_count)) {
+    throw wrong(fmt::format("has no count \"{}\" of its progress", name));
+  }
+  return object[name].get<int>();
+}
+
+Site read_site(const json& entry, std::size_t number) {
+  const bool valid = entry.is_object() && entry.contains("face") &&
+                     is_count(entry["face"], INT32_MAX) && entry.contains("bary") &&
+                     are_numbers(entry["bary"]) && entry["bary"].size() == 3;
+  if (!valid) {
+    throw wrong(
+        fmt::format("site {} has no face number with three barycentric coordinates", number));
+  }
+  return {entry["face"].get<std::int32_t>(), entry["bary"].get<std::array<double, 3>>()};
+}
+
+std::vector<double> read_size(const json& size) {
+  if (!are_numbers(size) || !std::all_of(size.begin(), size.end(), [](const json& x) {
+        return x.get<double>() > 0 && std::isfinite(x.get<double>());
+      })) {
+    throw wrong("has a \"size\" that is not a list of positive numbers");
+  }
+  return size.get<std::vector<double>>();
+}
+
+RunProgress read_progress(const json& object) {
+  if (!object.is_object() || !object.contains("closing") || !object["closing"].is_boolean() ||
+      !object.contains("energy") || !are_numbers(object["energy"]) ||
+      !object.contains("max_move") || !are_numbers(object["max_move"])) {
+    throw wrong("has a \"progress\" that is none");
+  }
+  RunProgress out;
+  out.sites = read_count(object, "sites");
+  out.levels_left = read_count(object, "levels_left");
+  out.round = read_count(object, "round");
+  out.closing = object["closing"].get<bool>();
+  out.evaluations = read_count(object, "evaluations");
+  out.moved = read_count(object, "moved");
+  out.iterations = read_count(object, "iterations");
+  out.energy = object["energy"].get<std::vector<double>>();
+  out.max_move = object["max_move"].get<std::vector<double>>();
+  return out;
+}
+
+json as_json(const RunProgress& progress) {
+  return {{"sites", progress.sites},
+          {"levels_left", progress.levels_left},
+          {"round", progress.round},
+          {"closing", progress.closing},
+          {"evaluations", progress.evaluations},
+          {"moved", progress.moved},
+          {"iterations", progress.iterations},
+          {"energy", progress.energy},
+          {"max_move", progress.max_move}};
+}
+
+json as_json(const std::vector<Site>& sites) {
+  json list = json::array();
+  for (const Site& s : sites) {
+    list.push_back({{"face", s.face}, {"bary", s.bary}});
+  }
+  return list;
+}
+
+void write(const std::string& path, const json& object) {
+  OutputFile file(path);
+  file.write(object.dump());
+  file.write("\n");
+  file.commit();
+}
+
+}  // namespace
+
 SavedSites read_sites(const std::string& path) {
-  const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
-  const auto wrong = [](const std::string& what) {
-    return InvalidInput(what + "; give a file that --sites wrote");
-  };
-  if (json.is_discarded()) {
+  const json object = json::parse(read_file(path), nullptr, false);
+  if (object.is_discarded()) {
     throw wrong("is not JSON");
   }
-  if (!json.is_object() || !json.contains("sites") || !json["sites"].is_array()) {
+  if (!object.is_object() || !object.contains("sites") || !object["sites"].is_array()) {
     throw wrong("has no list \"sites\"");
   }
-  std::vector<Site> out;
-  for (const auto& entry : json["sites"]) {
-    const bool valid =
-        entry.is_object() && entry.contains("face") && entry["face"].is_number_integer() &&
-        entry["face"].get<std::int64_t>() >= 0 && entry["face"].get<std::int64_t>() <= INT32_MAX &&
-        entry.contains("bary") && entry["bary"].is_array() && entry["bary"].size() == 3 &&
-        std::all_of(entry["bary"].begin(), entry["bary"].end(),
-                    [](const auto& b) { return b.is_number(); });
-    if (!valid) {
-      throw wrong(
-          fmt::format("site {} has no face number with three barycentric coordinates", out.size()));
-    }
-    out.push_back({entry["face"].get<std::int32_t>(),
-                   {entry["bary"][0].get<double>(), entry["bary"][1].get<double>(),
-                    entry["bary"][2].get<double>()}});
+  SavedSites saved;
+  for (const json& entry : object["sites"]) {
+    saved.sites.push_back(read_site(entry, saved.sites.size()));
   }
-  if (out.empty()) {
+  if (saved.sites.empty()) {
     throw wrong("has an empty list \"sites\"");
   }
-  SavedSites saved{std::move(out), 0, {}};
-  if (json.contains("refined_for") && json["refined_for"].is_number_integer()) {
-    saved.refine_for = json["refined_for"].get<int>();
-  }
-  if (json.contains("size")) {
-    const auto& size = json["size"];
-    const bool valid = size.is_array() && std::all_of(size.begin(), size.end(), [](const auto& x) {
-                         return x.is_number() && x.template get<double>() > 0;
-                       });
-    if (!valid) {
-      throw wrong("has a \"size\" that is not a list of positive numbers");
+  if (object.contains("refined_for")) {
+    if (!is_count(object["refined_for"], INT32_MAX)) {
+      throw wrong("has a \"refined_for\" that is no number of sites");
     }
-    saved.size = size.get<std::vector<double>>();
+    saved.refine_for = object["refined_for"].get<int>();
+  }
+  if (object.contains("size")) {
+    saved.size = read_size(object["size"]);
+  }
+  if (object.contains("progress")) {
+    saved.progress = read_progress(object["progress"]);
   }
   return saved;
 }
 
 void write_sites(const std::string& path, const RemeshResult& result) {
-  nlohmann::json json;
-  auto& list = json["sites"] = nlohmann::json::array();
-  for (const Site& s : result.sites) {
-    list.push_back({{"face", s.face}, {"bary", s.bary}});
+  write(path, {{"sites", as_json(result.sites)},
+               {"refined_for", result.refined_for},
+               {"density", result.density},
+               {"size", result.size}});
+}
+
+void write_sites(const std::string& path, const SavedSites& saved) {
+  json object = {
+      {"sites", as_json(saved.sites)}, {"refined_for", saved.refine_for}, {"size", saved.size}};
+  if (saved.progress) {
+    object["progress"] = as_json(*saved.progress);
   }
-  json["refined_for"] = result.refined_for;
-  json["density"] = result.density;
-  json["size"] = result.size;
-  OutputFile file(path);
-  file.write(json.dump());
-  file.write("\n");
-  file.commit();
+  write(path, object);
 }
 
 }  // namespace ucvt

@@ -236,5 +236,11 @@ TEST(RandomPoints, AreDeterministicForASeed) {
   EXPECT_NE(random_points(d, 20, 7), random_points(d, 20, 8));
 }
 
+// Found by fuzzing: convex as far as doubles tell, and its area was 0.
+TEST(Polygons, WithoutAreaInDoublesAreRefused) {
+  EXPECT_THROW(polygon_domain(0, {{0.5, 0}, {3.3e38, 5}, {0, 0}}), InvalidInput);
+  EXPECT_THROW(polygon_domain(0, {{0, 0}, {1e300, 0}, {0, 1e300}}), InvalidInput);
+}
+
 }  // namespace
 }  // namespace ucvt

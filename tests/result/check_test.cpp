@@ -1,0 +1,74 @@
+#include "ucvt/check.h"
+
+#include <gtest/gtest.h>
+
+#include "conformal/uniformize.h"
+#include "oracle/meshes.h"
+#include "result/cell_complex.h"
+#include "ucvt/error.h"
+
+namespace ucvt {
+namespace {
+
+RemeshResult remeshed(const TriangleMesh& mesh, int sites) {
+  RemeshOptions options;
+  options.sites = sites, options.iterations = 100;
+  return remesh(oracle::closed(mesh), options);
+}
+
+/// The result with its tessellation changed.
+template <typename Change>
+RemeshResult changed(RemeshResult result, Change change) {
+  CellComplex cells = *result.cells;
+  change(cells);
+  result.cells = std::make_shared<const CellComplex>(std::move(cells));
+  return result;
+}
+
+TEST(SelfCheck, SoundResultsPassByAWideMargin) {
+  for (const auto& [mesh, sites] : {std::pair{oracle::bumpy(oracle::icosphere(2), 0.05, 1), 300},
+                                    {oracle::grid_torus(20, 12), 300},
+                                    {oracle::voxel_frame(2), 200},
+                                    {oracle::finger(6, 0.1, 12), 300}}) {
+    const RemeshResult result = remeshed(mesh, sites);
+    EXPECT_NO_THROW(check(result));
+    const SelfCheck found = measure_errors(result);
+    EXPECT_LT(found.surface_angle_rad, 1e-10);
+    EXPECT_LT(found.site_angle_rad, 1e-10);
+    EXPECT_LT(found.area, 1e-10);
+    EXPECT_LT(found.mass, 1e-10);
+    EXPECT_LT(found.circle, 1e-10);
+    EXPECT_LT(found.place, 1e-9);
+  }
+}
+
+TEST(SelfCheck, FindsAnOffsetThatIsWrong) {
+  const RemeshResult result = remeshed(oracle::voxel_frame(2), 100);
+  EXPECT_THROW(check(changed(result,
+                             [](CellComplex& cells) {
+                               const Halfedge h{0};
+                               Offset o = cells.delaunay.offset(h);
+                               o = from_central({-1}, o.x * 1.001 / (1 + o.h), o.y / (1 + o.h));
+                               cells.delaunay.correct(h, o);
+                             })),
+               NumericalError);
+}
+
+TEST(SelfCheck, FindsASiteThatIsElsewhere) {
+  const RemeshResult result = remeshed(oracle::grid_torus(20, 12), 100);
+  EXPECT_THROW(check(changed(result,
+                             [&](CellComplex& cells) {
+                               move_place(result.surface.value().surface, cells.places[7],
+                                          from_central({0}, 0.003, 0));
+                             })),
+               NumericalError);
+}
+
+TEST(SelfCheck, FindsAMissingFace) {
+  RemeshResult result = remeshed(oracle::grid_torus(20, 12), 100);
+  result.mesh.faces.pop_back();
+  EXPECT_THROW(check(result), NumericalError);
+}
+
+}  // namespace
+}  // namespace ucvt
