@@ -99,8 +99,8 @@ bool has_boundary(const TriangleMesh& mesh) {
 
 OpenSurface open_surface(const TriangleMesh& mesh) {
   const Topology found = analyze_topology(mesh);
-  if (const std::string faults = describe_faults(mesh, found, false); !faults.empty()) {
-    refuse_faults(faults, mesh, found);
+  if (!describe_faults(mesh, found, false).empty()) {
+    refuse_faults(describe_faults(mesh, found), mesh, found);
   }
   if (found.boundary_side < 0) {
     refuse("the surface is closed; treat it as a closed one");

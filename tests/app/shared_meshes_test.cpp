@@ -10,7 +10,12 @@ namespace {
 
 bool is_refused(const std::string& path) {
   try {
-    closed_components(read_mesh(path));
+    const TriangleMesh mesh = read_mesh(path);
+    if (has_boundary(mesh)) {
+      open_surface(mesh);
+    } else {
+      closed_components(mesh);
+    }
   } catch (const InvalidInput&) {
     return true;
   }
