@@ -93,6 +93,29 @@ TEST_P(OptimizeTest, SplittingAllEdgesQuadruplesTheSites) {
   }
 }
 
+/// One site, the cell of which pulls it past the rim of the Klein disk, as rounding does far away.
+class PulledSite : public SiteSystem {
+ public:
+  [[nodiscard]] Space space() const override { return {-1}; }
+  [[nodiscard]] std::size_t site_count() const override { return 1; }
+  void measure(std::vector<CellState>& out) const override { out = {{{1, 1.5, 0, 0.25}, 10}}; }
+  void move(const std::vector<Offset>& target) override { reached = target[0]; }
+  void save() override {}
+  void restore() override {}
+
+  Offset reached;
+};
+
+TEST(Optimize, ALongStepStaysInTheHyperbolicPlane) {
+  for (const Method method : {Method::Lloyd, Method::Lbfgs}) {
+    PulledSite site;
+    optimize(site, {method, 1, 0}, {});
+    EXPECT_TRUE(std::isfinite(site.reached.h));
+    EXPECT_GT(site.reached.x, 10);
+    EXPECT_NEAR(site.reached.x * site.reached.x / (site.reached.h * (2 + site.reached.h)), 1, 1e-9);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Curvatures, OptimizeTest, testing::Values(1.0, 0.0, -1.0));
 
 }  // namespace
