@@ -68,8 +68,9 @@ void add_start(CLI::App& app, RemeshArguments& arguments) {
       arguments.init_file = text;
     }
   };
-  app.add_option_function<std::string>(
-         "--init", init, "where the sites start (default multilevel); FILE: as --sites wrote it")
+  app.add_option_function<std::string>("--init", init,
+                                       "where the sites start (default multilevel, on steep "
+                                       "surfaces random); FILE: as --sites wrote it")
       ->type_name("multilevel|random|farthest|FILE");
   add_seed(app, arguments.options.seed);
 }

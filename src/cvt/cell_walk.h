@@ -19,7 +19,7 @@ inline double beyond_bisector(Space s, const Offset& p, const Offset& neighbour)
 /// Rounding of a point that was carried along in the frame of a site, at the offsets that its cell
 /// spans: `reach` is the chord to the farthest neighbour.
 inline double lift_rounding(Space s, const Offset& p, double reach) {
-  constexpr double rounding = 4e-15;
+  constexpr double rounding = 1e-13;
   return rounding * (reach + std::abs(p.x) + std::abs(p.y)) * std::abs(model_z(s, p));
 }
 

@@ -45,6 +45,10 @@ constexpr double level_tolerance = 1e-3;
 /// are made anew from the sites alone, whether anyone asks for a checkpoint or not.
 constexpr int leg_evaluations = 100;
 
+/// Log scales that span more start from random sites: the few cells of a coarse level are ruled by
+/// their far dense ends there, and leave limbs without sites.
+constexpr double multilevel_span = 10;
+
 /// Draws of random initial sites before giving up.
 constexpr int max_draws = 200;
 
@@ -174,13 +178,15 @@ class Remesher {
 
   void place_initial_sites() {
     const bool given = !options_.initial_sites.empty();
-    if (!given && options_.init == InitialSites::Multilevel) {
+    const UniformizationReport& u = surface_.report();
+    const bool steep = u.log_scale_max - u.log_scale_min > multilevel_span;
+    if (!given && options_.init == InitialSites::Multilevel && !steep) {
       // A small CVT from random sites, then from level to level sites at the middles of all edges of
       // D, as many as lead to the number asked for: its few defects are all there are in the end.
       const LevelPlan plan = plan_levels(options_.sites, t_.surface.connectivity().euler_number());
       at_.levels_left = plan.levels;
       place_random_sites(plan.coarsest);
-    } else if (!given && options_.init == InitialSites::Random) {
+    } else if (!given && options_.init != InitialSites::Farthest) {
       place_random_sites(options_.sites);
     } else {
       place(given ? as_points(options_.initial_sites, t_.surface.connectivity().face_count())
