@@ -33,6 +33,7 @@ Repaired repair(const TriangleMesh& mesh, const RepairOptions& options) {
   }
   split_fans(r, true);
   cut_double_edges(r);
+  split_fans(r, true);  // where no two fans share an edge any more, fans may have parted
   return r;
 }
 

@@ -45,7 +45,7 @@ RC_GTEST_PROP(Chart, CellsCutAtTheHorizonFillTheDisk, ()) {
       RC_ASSERT(std::hypot(s.x - 320, s.y - 310) <= 300.002);
     }
     const double area = signed_area(steps);
-    RC_ASSERT(area > -0.5);
+    RC_ASSERT(area > -2);  // of a sliver at the horizon nothing but the polyline's error is left
     sum += area;
   }
   const double disk = std::numbers::pi * 300 * 300;

@@ -333,5 +333,14 @@ RC_GTEST_PROP(Repair, NeverFailsOnHeapsOfTriangles, ()) {
   }
 }
 
+TEST(Repair, VerticesWhereCuttingADoubleEdgePartsFansAreSplit) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 5; ++i) {
+    mesh.positions.push_back({i % 4 + 0.0, i / 4 + 0.0, 0.1 * i * i});
+  }
+  mesh.faces = {{1, 4, 2}, {3, 2, 1}, {0, 3, 4}, {1, 4, 0}, {0, 1, 2}, {3, 1, 0}, {3, 2, 0}};
+  EXPECT_EQ(survey(repair(mesh).mesh).nonmanifold_vertices, 0);
+}
+
 }  // namespace
 }  // namespace ucvt::test
