@@ -146,23 +146,25 @@ void Tessellation::restore() {
   cells_ = saved_->cells;
 }
 
-void Tessellation::split_edges(const std::vector<Halfedge>& edges) {
-  struct Middle {
-    Vertex from;
-    Offset at;
-  };
-  std::vector<Middle> middles;
+Tessellation::Middle Tessellation::middle(Halfedge h) const {
   const Space s = d_.space();
+  const Offset& to = d_.offset(h);
+  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
+  const double r = std::hypot(to.x, to.y);
+  const Vertex from = d_.connectivity().origin(h);
+  Middle out{from, from_chord(s, half, to.x / r, to.y / r), place(from)};
+  move_place(mass_.surface(), out.place, out.offset);
+  return out;
+}
+
+void Tessellation::split_edges(const std::vector<Halfedge>& edges) {
+  std::vector<Middle> middles;
   for (const Halfedge h : edges) {
-    const Offset& to = d_.offset(h);
-    const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
-    const double r = std::hypot(to.x, to.y);
-    middles.push_back({d_.connectivity().origin(h), from_chord(s, half, to.x / r, to.y / r)});
+    middles.push_back(middle(h));
   }
   for (const Middle& m : middles) {
-    places_.push_back(places_[m.from.index()]);
-    move_place(mass_.surface(), places_.back(), m.at);
-    d_.insert(m.from, {m.at, {}});
+    places_.push_back(m.place);
+    d_.insert(m.from, {m.offset, {}});
   }
   cells_.follow(d_, std::vector<Offset>(places_.size()));
 }

@@ -39,6 +39,14 @@ class Tessellation : public SiteSystem {
   void save() override;
   void restore() override;
 
+  /// The middle of an edge of D.
+  struct Middle {
+    Vertex from;    ///< the origin of the halfedge
+    Offset offset;  ///< of the middle, in that site's frame
+    Place place;    ///< the same on T, in a frame carried there
+  };
+  [[nodiscard]] Middle middle(Halfedge h) const;
+
   /// Adds sites at the middles of edges of D, one of each edge's halfedges being given. The sites
   /// before keep their numbers.
   void split_edges(const std::vector<Halfedge>& edges);

@@ -12,11 +12,13 @@
 #include <tbb/global_control.h>
 
 #include "cvt/initial_sites.h"
+#include "cvt/multilevel.h"
 #include "cvt/tessellation.h"
 #include "cvt/uniformity.h"
 #include "result/cell_complex.h"
 #include "result/density.h"
 #include "result/dual_mesh.h"
+#include "result/site_points.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -36,8 +38,7 @@ constexpr double most_moved = 0.25;
 /// round where there is no room for it, and grow back by at most `growth` per unit of distance.
 constexpr double shortest_loop = 3, least_shrink = 0.8, growth = 0.7;
 
-/// A multilevel start: sites of its coarsest level, evaluations and tolerance of each level.
-constexpr std::int64_t least_coarse = 32, most_coarse = 160;
+/// Evaluations and tolerance of each level of a multilevel start.
 constexpr int level_evaluations = 80;
 constexpr double level_tolerance = 1e-3;
 
@@ -65,58 +66,6 @@ void check_count(const ClosedSurface& surface, int sites) {
   }
 }
 
-std::vector<SurfacePoint> as_points(const std::vector<Site>& sites, std::size_t faces) {
-  std::vector<SurfacePoint> out;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    const Site& s = sites[i];
-    double sum = 0;
-    bool valid = s.face >= 0 && static_cast<std::size_t>(s.face) < faces;
-    for (const double b : s.bary) {
-      valid = valid && b >= 0, sum += b;
-    }
-    if (!valid || !(std::abs(sum - 1) < 1e-6)) {
-      throw InvalidInput(
-          fmt::format("initial site {} (face {}) does not lie on the surface, which "
-                      "has {} faces; give sites made for the same mesh and count",
-                      i, s.face, faces));
-    }
-    out.push_back({{s.face}, s.bary});
-  }
-  return out;
-}
-
-std::vector<Site> as_sites(const std::vector<SurfacePoint>& points) {
-  std::vector<Site> out;
-  for (const SurfacePoint& p : points) {
-    out.push_back({p.face.id, p.bary});
-  }
-  return out;
-}
-
-/// The levels of a multilevel start: splitting all edges takes n - chi sites, chi the Euler number,
-/// to four times as many.
-struct LevelPlan {
-  int coarsest = 0, levels = 0;
-};
-
-LevelPlan plan_levels(int sites, std::int64_t euler_number) {
-  LevelPlan best{sites, 0};
-  std::int64_t least_excess = INT64_MAX;
-  const std::int64_t wanted = sites - euler_number;
-  std::int64_t factor = 4;
-  for (int levels = 1; factor < wanted; ++levels, factor *= 4) {
-    const std::int64_t coarsest = (wanted + factor - 1) / factor + euler_number;
-    if (coarsest < least_coarse || (coarsest > most_coarse && levels > 1)) {
-      continue;
-    }
-    const std::int64_t excess = factor * (coarsest - euler_number) - wanted;
-    if (best.levels == 0 || best.coarsest > most_coarse || excess < least_excess) {
-      best = {static_cast<int>(coarsest), levels}, least_excess = excess;
-    }
-  }
-  return best;
-}
-
 std::vector<double> initial_size(const RemeshOptions& options, std::size_t vertices) {
   if (options.initial_size.empty()) {
     return std::vector<double>(vertices, 1.0);
@@ -128,17 +77,6 @@ std::vector<double> initial_size(const RemeshOptions& options, std::size_t verti
                     options.initial_size.size(), vertices));
   }
   return options.initial_size;
-}
-
-/// The middle of an edge of D.
-SurfacePoint midpoint(const Tessellation& sites, const UniformSurface& t, Halfedge h) {
-  const Space s = t.space();
-  const Offset& to = sites.delaunay().offset(h);
-  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
-  const double r = std::hypot(to.x, to.y);
-  Place place = sites.place(sites.delaunay().connectivity().origin(h));
-  move_place(t, place, from_chord(s, half, to.x / r, to.y / r));
-  return point_of(place);
 }
 
 class Remesher {
@@ -234,31 +172,9 @@ class Remesher {
     return farthest_sites(t_.surface, length, n, options_.seed);
   }
 
-  /// D's edges, those longest for their surroundings first.
-  [[nodiscard]] std::vector<Halfedge> edges_by_length() const {
-    const DelaunayTriangulation& d = sites_->delaunay();
-    std::vector<std::pair<double, Halfedge>> edges;
-    for (std::size_t i = 0; i < d.connectivity().halfedge_count(); ++i) {
-      const Halfedge h{static_cast<std::int32_t>(i)};
-      if (d.connectivity().is_canonical(h)) {
-        const double around =
-            sites_->spacing(d.connectivity().origin(h)) + sites_->spacing(d.connectivity().head(h));
-        edges.emplace_back(-std::sqrt(2 * d.offset(h).h) / around, h);
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<Halfedge> out;
-    for (const auto& [length, h] : edges) {
-      out.push_back(h);
-    }
-    return out;
-  }
-
   void split_longest_edges() {
-    std::vector<Halfedge> edges = edges_by_length();
-    const auto room = static_cast<std::size_t>(options_.sites) - sites_->site_count();
-    edges.resize(std::min(edges.size(), room));
-    sites_->split_edges(edges);
+    sites_->split_edges(
+        longest_edges(*sites_, static_cast<std::size_t>(options_.sites) - sites_->site_count()));
   }
 
   /// The state that a checkpoint holds.
@@ -428,7 +344,7 @@ class Remesher {
     for (const NonSimplicialEdge& e : in_the_way) {
       const Vertex a = d.connectivity().origin(e.halfedge);
       const double room = e.loop_length / (shortest_loop * sites_->spacing(a));
-      const SurfacePoint middle = midpoint(*sites_, t_.surface, e.halfedge);
+      const SurfacePoint middle = point_of(sites_->middle(e.halfedge).place);
       for (const Face f : {middle.face, sites_->place(a).face}) {
         for (const Halfedge h : halfedges(f)) {
           const std::size_t v = t_.surface.connectivity().origin(h).index();
