@@ -75,15 +75,13 @@ struct Barycentric {
 };
 
 /// Weights of the density with corner values rho over the triangle with corners a, b, c (given in
-/// the big triangle's coordinates, counterclockwise). Relative error about 1e-14: the order of the
+/// the big triangle's coordinates, counterclockwise). Relative error below 1e-11: the order of the
 /// quadrature follows the size of the piece, and pieces too big for one rule are cut in four.
 Weights integrate_piece(Space s, const ChordTriangle& t, const std::array<double, 3>& rho,
                         Barycentric a, Barycentric b, Barycentric c);
 
-/// The same over the whole triangle.
-inline Weights integrate(Space s, const ChordTriangle& t, const std::array<double, 3>& rho) {
-  return integrate_piece(s, t, rho, {0, 0}, {1, 0}, {0, 1});
-}
+/// The same over the whole triangle, with a relative error below 1e-13.
+Weights integrate(Space s, const ChordTriangle& t, const std::array<double, 3>& rho);
 
 /// Where the moments put the centroid (the paper's model centroid, its equations 3 and 4), as an
 /// offset in their frame. Requires m - kappa h > 0: the mass lies within a hemisphere about it.

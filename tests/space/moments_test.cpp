@@ -74,7 +74,7 @@ RC_GTEST_PROP(Moments, AddUpWhenTheTriangleIsCut, ()) {
   for (std::size_t i = 0; i < 3; ++i) {
     sum += integrate_piece(s, t, rho, corner[i], corner[(i + 1) % 3], {u, v});
   }
-  RC_ASSERT(difference(moments_of(sum, c), moments(s, c, rho), reach_of(c)) < 1e-12);
+  RC_ASSERT(difference(moments_of(sum, c), moments(s, c, rho), reach_of(c)) < 1e-11);
 }
 
 TEST(Moments, EverySizeIsIntegratedToTwelveDigits) {
