@@ -5,19 +5,27 @@
 namespace ucvt {
 
 SurfaceMass::SurfaceMass(const UniformSurface& t, std::vector<double> density)
-    : t_(t), density_(std::move(density)), weights_(t.connectivity().face_count()) {
-  tbb::parallel_for(std::size_t{0}, weights_.size(), [&](std::size_t f) {
-    const Face face{static_cast<std::int32_t>(f)};
-    weights_[f] = integrate(t_.space(), t_.triangle(face), corner_densities(face));
+    : t_(t),
+      density_(std::move(density)),
+      weights_(t.connectivity().face_count()),
+      pieces_(weights_.size()) {
+  tbb::parallel_for(std::size_t{0}, weights_.size(), [&](std::size_t i) {
+    const Face f{static_cast<std::int32_t>(i)};
+    FacePieces& face = pieces_[i];
+    face.triangle = t_.triangle(f);
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.density[k] = density_[t_.connectivity().origin(halfedges(f)[k]).index()];
+    }
+    weights_[i] = integrate(t_.space(), face.triangle, face.density);
   });
 }
 
-std::array<double, 3> SurfaceMass::corner_densities(Face f) const {
-  std::array<double, 3> rho{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    rho[i] = density_[t_.connectivity().origin(halfedges(f)[i]).index()];
+double SurfaceMass::total() const {
+  double sum = 0;
+  for (const Weights& w : weights_) {
+    sum += w.mass;
   }
-  return rho;
+  return sum;
 }
 
 }  // namespace ucvt

@@ -69,11 +69,7 @@ double hexagonal_energy(const UniformSurface& t, const std::vector<double>& dens
   for (const double rho : density) {
     root.push_back(std::sqrt(rho));
   }
-  const SurfaceMass mass(t, std::move(root));
-  double sum = 0;
-  for (std::size_t f = 0; f < t.connectivity().face_count(); ++f) {
-    sum += mass.weights({static_cast<std::int32_t>(f)}).mass;
-  }
+  const double sum = SurfaceMass(t, std::move(root)).total();
   return 5 / (18 * std::numbers::sqrt3) * sum * sum / static_cast<double>(sites);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "space/lane_moments.h"
 #include "space/quadrature.h"
 
 namespace ucvt {
@@ -14,11 +15,7 @@ double chord_form(const ChordTriangle& t, double l0, double l1, double l2) {
   return l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
 }
 
-/// Triangles whose squared sides are all below these let the power series of `by_series` with so many
-/// terms end at rounding (form <= side^2/3), and below `near_side2` stretch no piece by more than
-/// `near_stretch`.
-constexpr double short_series_side2 = 6e-4, long_series_side2 = 2e-2;
-constexpr int short_series = 4, long_series = 8;
+/// Triangles whose squared sides are all below `near_side2` stretch no piece by more than `near_stretch`.
 constexpr double near_side2 = 0.1, near_stretch = 1.04;
 
 /// Degree of the rule that resolves a piece of the given squared size (its longest side in the space,
@@ -44,9 +41,6 @@ int degree_for(double size2) {
 constexpr double strict_bounds = 1.0 / 20;
 
 constexpr int max_depth = 40;
-
-/// Four numbers that are worked on at once, in one or two registers.
-using Lanes [[gnu::vector_size(32)]] = double;
 
 /// Four nodes of a rule.
 struct LaneNodes {
@@ -75,28 +69,6 @@ double sum(const Lanes& v) {
   return (v[0] + v[1]) + (v[2] + v[3]);
 }
 
-/// A function compiled for wide registers too, where the compiler can choose at run time; no
-/// operation is fused, so that the bits are the same.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
-#define UCVT_WIDE [[gnu::target_clones("avx2", "default")]]
-#else
-#define UCVT_WIDE
-#endif
-
-/// The first coefficients of the power series in f of w^3, w^4 and w^4 / (1 + 1/w) (of the excess),
-/// w = (1 - f)^(-1/2).
-struct SeriesTerm {
-  double w3, w4, excess;
-};
-constexpr std::array<SeriesTerm, long_series> series{{{1, 1, 1.0 / 2},
-                                                      {3.0 / 2, 2, 9.0 / 8},
-                                                      {15.0 / 8, 3, 29.0 / 16},
-                                                      {35.0 / 16, 4, 325.0 / 128},
-                                                      {315.0 / 128, 5, 843.0 / 256},
-                                                      {693.0 / 256, 6, 4165.0 / 1024},
-                                                      {3003.0 / 1024, 7, 9949.0 / 2048},
-                                                      {6435.0 / 2048, 8, 185517.0 / 32768}}};
-
 /// Piece::one_rule for small triangles, where w is its power series: no root, no division.
 template <int terms>
 [[gnu::always_inline]] inline Weights add_series(const std::vector<LaneNodes>& rule, double kappa,
@@ -105,28 +77,16 @@ template <int terms>
                                                  Barycentric b, Barycentric c) {
   const double jacobian =
       t.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
-  Lanes mass{}, mu0{}, mu1{}, mu2{}, excess{};
+  const std::array<Lanes, 3> chord2{Lanes{} + t.chord2[0], Lanes{} + t.chord2[1],
+                                    Lanes{} + t.chord2[2]};
+  const std::array<Lanes, 3> density{Lanes{} + rho[0], Lanes{} + rho[1], Lanes{} + rho[2]};
+  LaneWeights w;
   for (const LaneNodes& q : rule) {
     const Lanes l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
     const Lanes l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
-    const Lanes l0 = 1 - l1 - l2;
-    const Lanes form = l0 * l1 * t.chord2[0] + l1 * l2 * t.chord2[1] + l2 * l0 * t.chord2[2];
-    const Lanes f = kappa * form;
-    const Lanes dm = q.weight * jacobian * (l0 * rho[0] + l1 * rho[1] + l2 * rho[2]);
-    Lanes w3 = series[terms - 1].w3 + Lanes{}, w4 = series[terms - 1].w4 + Lanes{};
-    Lanes e = series[terms - 1].excess + Lanes{};
-    for (std::size_t k = terms - 1; k-- > 0;) {
-      w3 = series[k].w3 + f * w3;
-      w4 = series[k].w4 + f * w4;
-      e = series[k].excess + f * e;
-    }
-    mass += dm * w3;
-    mu0 += dm * w4 * l0;
-    mu1 += dm * w4 * l1;
-    mu2 += dm * w4 * l2;
-    excess -= dm * e * form;
+    add_nodes<terms>(kappa, chord2, density, {1 - l1 - l2, l1, l2}, q.weight * jacobian, w);
   }
-  return {{sum(mu0), sum(mu1), sum(mu2)}, sum(mass), sum(excess)};
+  return {{sum(w.mu0), sum(w.mu1), sum(w.mu2)}, sum(w.mass), sum(w.excess)};
 }
 
 UCVT_WIDE Weights by_series(const std::vector<LaneNodes>& rule, double kappa,

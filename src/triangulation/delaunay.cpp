@@ -31,7 +31,7 @@ constexpr int max_nudges = 8;
 constexpr std::size_t least_on_sphere = 12;
 
 double radius(const Offset& p) {
-  return std::hypot(p.x, p.y);
+  return std::sqrt(p.x * p.x + p.y * p.y);
 }
 
 /// Sine of the angle from p to q at the origin.
@@ -44,9 +44,13 @@ double sine_between(const Offset& p, const Offset& q) {
 bool DelaunayTriangulation::is_delaunay(Halfedge h) const {
   const Offset &a = offset(h), &b = offset(connectivity_.rotate(h)),
                &d = offset(connectivity_.twin(h).next());
+  const double det = in_circle(a, b, d);
+  if (det >= 0) {
+    return true;
+  }
   const double ra = radius(a), rb = radius(b), rd = radius(d);
   const double scale = ra * rb * d.h + rb * rd * a.h + rd * ra * b.h;
-  return in_circle(a, b, d) >= -flip_tolerance * scale;
+  return det >= -flip_tolerance * scale;
 }
 
 bool DelaunayTriangulation::is_convex(Halfedge h) const {
