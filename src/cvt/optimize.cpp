@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <memory>
 
 #include "ucvt/error.h"
 
@@ -20,12 +21,13 @@ constexpr double longest_step = 0.5;
 /// Of a step in the hyperbolic plane, in central coordinates: a distance of 7.
 constexpr double farthest = 1 - 1e-6;
 
+/// Steps for which the sites' stiffness is used, and the largest move to a centroid from which on.
+constexpr int stiffness_steps = 20;
+constexpr double stiffness_move = 0.25;
+
 /// Relative rounding of an energy: smaller differences tell nothing.
 constexpr double energy_rounding = 1e-14;
 
-struct Vector2 {
-  double x = 0, y = 0;
-};
 using Vectors = std::vector<Vector2>;
 
 double dot(const Vectors& a, const Vectors& b) {
@@ -125,6 +127,38 @@ class Optimizer {
     return evaluate();
   }
 
+  /// Far from a minimum springs are not what the Hessian is.
+  void update_stiffness(const Evaluation& now) {
+    if ((stiffness_ && ++stiffness_age_ < stiffness_steps) || now.max_move > stiffness_move) {
+      return;
+    }
+    stiffness_age_ = 0;
+    stiffness_.reset();
+    const std::vector<Spring> springs = sites_.springs();
+    if (springs.empty()) {
+      return;
+    }
+    std::vector<double> diagonal;
+    for (const double inverse : now.inverse_hessian) {
+      diagonal.push_back(inverse > 0 ? 1 / inverse : 1);
+    }
+    stiffness_ = std::make_unique<Stiffness>(springs, diagonal);
+    if (!stiffness_->is_usable()) {
+      stiffness_.reset();
+    }
+  }
+
+  /// Applies the initial inverse Hessian.
+  void solve(const Evaluation& now, Vectors& v) const {
+    if (stiffness_) {
+      stiffness_->solve(v);
+      return;
+    }
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      v[i].x *= now.inverse_hessian[i], v[i].y *= now.inverse_hessian[i];
+    }
+  }
+
   /// The L-BFGS direction (two-loop recursion); no site goes farther than a part of its spacing.
   [[nodiscard]] Vectors direction(const Evaluation& now) const {
     Vectors d = now.gradient;
@@ -133,9 +167,10 @@ class Optimizer {
       along[k] = dot(pairs_[k].step, d) / pairs_[k].curvature;
       add(d, -along[k], pairs_[k].change);
     }
-    for (std::size_t i = 0; i < d.size(); ++i) {
-      d[i].x *= -now.inverse_hessian[i], d[i].y *= -now.inverse_hessian[i];
+    for (Vector2& v : d) {
+      v = {-v.x, -v.y};
     }
+    solve(now, d);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const double back = dot(pairs_[k].change, d) / pairs_[k].curvature;
       add(d, -along[k] - back, pairs_[k].step);
@@ -165,6 +200,7 @@ class Optimizer {
   }
 
   Evaluation lbfgs_step(Evaluation now) {
+    update_stiffness(now);
     const Vectors d = direction(now);
     const double slope = dot(d, now.gradient);
     if (slope < 0) {
@@ -199,6 +235,8 @@ class Optimizer {
   std::vector<CellState> cells_;
   std::vector<Offset> target_;
   std::deque<Pair> pairs_;
+  std::unique_ptr<Stiffness> stiffness_;
+  int stiffness_age_ = 0;
   OptimizeResult out_;
 };
 

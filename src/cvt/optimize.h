@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "cvt/stiffness.h"
 #include "space/moments.h"
 #include "ucvt/remesh.h"
 
@@ -32,6 +33,8 @@ class SiteSystem {
   virtual void measure(std::vector<CellState>& out) const = 0;
   /// Moves site i to target[i] in its own frame, all of them. A site may stop short on the way.
   virtual void move(const std::vector<Offset>& target) = 0;
+  /// One for every edge of the sites' Delaunay triangulation; none where they are not known.
+  [[nodiscard]] virtual std::vector<Spring> springs() const { return {}; }
   /// Remembers the sites where they are, and goes back there.
   virtual void save() = 0;
   virtual void restore() = 0;
@@ -55,9 +58,9 @@ struct OptimizeResult {
 /// Moves the sites until the largest move to a centroid is below the tolerance. The energy never
 /// rises. A cancelled run stops after a whole step.
 ///
-/// Lloyd's method moves every site to its cell's centroid. L-BFGS (Nocedal 1980; memory 7) has that
-/// step as its initial one: the inverse Hessian starts as 1/(2 (m - kappa Mh)), cell by cell. It backs
-/// off by Armijo's rule, drops pairs of negative curvature, and falls back to Lloyd's step, which
+/// Lloyd's method moves every site to its cell's centroid. L-BFGS (Nocedal 1980; memory 7) starts
+/// from the inverse of the sites' stiffness, made anew now and then; where springs are not known from
+/// 1/(2 (m - kappa Mh)), cell by cell, which is Lloyd's step. It backs off by Armijo's rule, drops pairs of negative curvature, and falls back to Lloyd's step, which
 /// never raises the energy, when a direction fails.
 OptimizeResult optimize(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor);
 

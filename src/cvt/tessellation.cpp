@@ -130,6 +130,43 @@ void Tessellation::measure(std::vector<CellState>& out) const {
   }
 }
 
+std::vector<Spring> Tessellation::springs() const {
+  const Connectivity& c = d_.connectivity();
+  std::vector<Halfedge> edges;
+  for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    if (c.is_canonical(h) && c.origin(h) != c.head(h)) {
+      edges.push_back(h);
+    }
+  }
+  std::vector<Spring> out(edges.size());
+  tbb::parallel_for(std::size_t{0}, edges.size(),
+                    [&](std::size_t i) { out[i] = spring(edges[i]); });
+  return out;
+}
+
+Spring Tessellation::spring(Halfedge h) const {
+  const Connectivity& c = d_.connectivity();
+  const Halfedge twin = c.twin(h);
+  const auto cotangent_opposite = [&](Halfedge side) {
+    const Offset &a = d_.offset(side), &b = d_.offset(c.rotate(side));
+    return (2 * b.h + chord2(d_.space(), a, b) - 2 * a.h) / (2 * std::abs(cross(a, b)));
+  };
+  const double dual = std::max(0.0, cotangent_opposite(h) + cotangent_opposite(twin)) / 2;
+  const SurfacePoint at = point_of(middle(h).place);
+  double density = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vertex v = mass_.surface().connectivity().origin(halfedges(at.face)[k]);
+    density += at.bary[k] * mass_.density()[v.index()];
+  }
+  const auto direction = [](const Offset& p) {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    return Vector2{p.x / r, p.y / r};
+  };
+  return {c.origin(h).id, c.head(h).id, direction(d_.offset(h)), direction(d_.offset(twin)),
+          density * dual * d_.offset(h).h};
+}
+
 void Tessellation::save() {
   if (!saved_) {
     saved_.emplace(Saved{places_, d_, cells_});

@@ -36,6 +36,7 @@ class Tessellation : public SiteSystem {
   void measure(std::vector<CellState>& out) const override;
   /// Moves the sites and restores Delaunay.
   void move(const std::vector<Offset>& target) override;
+  [[nodiscard]] std::vector<Spring> springs() const override;
   void save() override;
   void restore() override;
 
@@ -55,6 +56,9 @@ class Tessellation : public SiteSystem {
   [[nodiscard]] double spacing(Vertex site) const;
 
  private:
+  /// The edge of h; its ends differ.
+  [[nodiscard]] Spring spring(Halfedge h) const;
+
   struct Saved {
     std::vector<Place> places;
     DelaunayTriangulation d;
