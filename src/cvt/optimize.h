@@ -37,6 +37,11 @@ class SiteSystem {
   virtual void restore() = 0;
 };
 
+/// The centroid in the frame of the moments, on the sphere maybe on the far side; the origin where there
+/// is no mass, or where it pulls evenly to all sides. Stays off the hyperbolic plane's rim, where
+/// rounding could put it.
+Offset centroid_or_site(Space s, const Moments& m);
+
 struct OptimizeOptions {
   Method method = Method::Lbfgs;
   int evaluations = 1000;   ///< of all cells, at most, after that of the sites as they are
@@ -58,7 +63,9 @@ struct OptimizeResult {
 /// Lloyd's method moves every site to its cell's centroid. L-BFGS (Nocedal 1980; memory 7) has that
 /// step as its initial one: the inverse Hessian starts as 1/(2 (m - kappa Mh)), cell by cell. It backs
 /// off by Armijo's rule, drops pairs of negative curvature, and falls back to Lloyd's step, which
-/// never raises the energy, when a direction fails.
+/// never raises the energy, when a direction fails. Where the sites can follow no step at all
+/// (NumericalError) they stay where they are and that is the end, not converged; at the first step the
+/// error passes through.
 OptimizeResult optimize(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor);
 
 }  // namespace ucvt
