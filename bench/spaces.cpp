@@ -1,4 +1,4 @@
-// CVTs of the bare sphere: how good and how fast. Prints markdown tables.
+// CVTs of the bare spaces: how good and how fast. Prints markdown tables.
 //
 //   ucvt_bench_spaces               all of it; sizes from 10,000 to 1,000,000 sites
 //   ucvt_bench_spaces N...          the cost per site at these sizes only
@@ -12,6 +12,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -46,18 +47,45 @@ bool apart(const std::function<void()>& work) {
 ucvt::SpaceOptions lloyd(int sites, int iterations, double tolerance) {
   ucvt::SpaceOptions out;
   out.sites = sites, out.iterations = iterations, out.tolerance = tolerance;
-  out.keep_cells = false;
+  out.keep_cells = false, out.threads = 1;
+  out.method = ucvt::Method::Lloyd, out.init = ucvt::InitialSites::Random;
   return out;
 }
 
+/// The default: L-BFGS, level by level, to rest.
+ucvt::SpaceOptions usual(int sites) {
+  ucvt::SpaceOptions out;
+  out.sites = sites;
+  out.keep_cells = false, out.threads = 1;
+  return out;
+}
+
+void quality_row(const std::string& name, const ucvt::Domain& domain,
+                 const ucvt::SpaceOptions& options) {
+  const auto start = Clock::now();
+  const ucvt::SpaceResult r = tessellate(domain, options);
+  const double hexagonal = 5 / (18 * std::sqrt(3.0)) * domain.area * domain.area / options.sites;
+  fmt::print("| {} | {} | {} | {}{} | {:.4f} | {:.2f} % | {:.1f} |\n", name, options.sites,
+             r.cvt.method, r.cvt.iterations, r.cvt.converged ? "" : " (not at rest)",
+             r.cvt.energy.back() / hexagonal, 100 * r.uniformity.hexagons, seconds_since(start));
+  std::fflush(stdout);
+}
+
 void quality() {
-  const int n = 10000;
-  const ucvt::SpaceResult r = tessellate(ucvt::sphere_domain(), lloyd(n, 200, 0));
-  const double area = 4 * std::numbers::pi;
-  const double hexagonal = 5 / (18 * std::sqrt(3.0)) * area * area / n;
-  fmt::print("| sites | Lloyd | E / E_hex | degree 6 | s |\n| --- | --- | --- | --- | --- |\n");
-  fmt::print("| {} | 200 | {:.5f} | {:.1f} % | {:.1f} |\n\n", n, r.cvt.energy.back() / hexagonal,
-             100 * r.uniformity.hexagons, r.cvt.seconds);
+  fmt::print(
+      "| domain | sites | method | iterations | E / E_hex | degree 6 | s |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n");
+  const std::vector<std::tuple<std::string, ucvt::Domain, int>> cases{
+      {"sphere", ucvt::sphere_domain(), 1000},
+      {"sphere", ucvt::sphere_domain(), 10000},
+      {"square torus", ucvt::torus_domain({1, 0}, {0, 1}), 1000},
+      {"surface of genus 2", ucvt::surface_domain(2, ucvt::SidePairing::Opposite), 1000},
+      {"square", ucvt::polygon_domain(0, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}), 1000}};
+  for (const auto& [name, domain, sites] : cases) {
+    quality_row(name, domain, lloyd(sites, 200, 0));
+    quality_row(name, domain, usual(sites));
+  }
+  fmt::print("\n");
 }
 
 void icosahedron() {

@@ -49,6 +49,7 @@ ucvt::Domain hexagon() {
 SpaceResult lloyd(const ucvt::Domain& domain, int sites, int iterations, std::string density = {}) {
   SpaceOptions options;
   options.sites = sites, options.iterations = iterations, options.tolerance = 0;
+  options.method = ucvt::Method::Lloyd, options.init = ucvt::InitialSites::Random;
   options.density = std::move(density);
   return tessellate(domain, options);
 }

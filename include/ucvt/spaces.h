@@ -49,15 +49,21 @@ Domain torus_domain(const CentralPoint& a, const CentralPoint& b);
 Domain polygon_domain(double kappa, std::vector<CentralPoint> corners);
 /// The closed hyperbolic surface of a regular 4g-gon with angles 2 pi/(4g). Requires genus >= 2.
 Domain surface_domain(int genus, SidePairing pairing);
+/// True unless the domain is a polygon.
+bool is_closed(const Domain& domain);
 
 struct SpaceOptions {
   int sites = 1000;
   std::uint64_t seed = 1;
+  /// Polygons start from random sites in place of the multilevel start; farthest-point sites there are
+  /// none.
+  InitialSites init = InitialSites::Multilevel;
+  Method method = Method::Lbfgs;
   std::vector<ModelPoint> initial_sites;  ///< when not empty: start here
   std::string density;                    ///< formula (docs/spaces.md); empty: uniform
   double quadrature = 1e-10;              ///< relative error of the integrals of a formula
-  int iterations = 1000;
-  double tolerance = 1e-4;
+  int iterations = 1000;    ///< evaluations of all cells, at most, after the initial state
+  double tolerance = 1e-4;  ///< of the largest move, relative to the site's spacing
   int threads = 0;
   bool keep_cells = true;  ///< fill SpaceResult::cells, initial_cells and triangles
   Monitor monitor;
@@ -77,21 +83,22 @@ struct SpaceCell {
 
 struct SpaceResult {
   Domain domain;
-  std::vector<ModelPoint> initial_sites;
-  std::vector<ModelPoint> sites;  ///< in a closed domain's fundamental polygon
+  std::vector<ModelPoint> initial_sites;  ///< of a multilevel start: on the last level
+  std::vector<ModelPoint> sites;          ///< in a closed domain's fundamental polygon
   std::vector<SpaceCell> initial_cells;
   std::vector<SpaceCell> cells;  ///< cell i belongs to site i
   /// Delaunay triangles as three site numbers, counterclockwise; the dual of the cells' corners.
   std::vector<std::array<std::int32_t, 3>> triangles;
   CvtReport cvt;
-  /// The paper's energy of each iteration: F^S_min = -F^S_max, F^E or F^H (its section 3).
+  /// The paper's energy of each of `cvt.energy`: F^S_min = -F^S_max, F^E or F^H (its section 3).
   std::vector<double> paper_energy;
   double quadrature_error = 0;  ///< largest bound on the relative error of a final cell's integrals
   UniformityReport initial_uniformity, uniformity;
 };
 
-/// Computes a CVT of a domain by Lloyd's method.
+/// Computes a CVT of a domain.
 ///
+/// Running out of iterations is a status (`cvt.converged`), not an error.
 /// Throws InvalidInput when the options do not fit (a formula that cannot be read, a density that is
 /// negative or not finite somewhere, initial sites outside the domain), Cancelled, NumericalError.
 SpaceResult tessellate(const Domain& domain, const SpaceOptions& options = {});

@@ -20,10 +20,6 @@ std::string output_name(const std::string& path) {
 const char* const not_enough_memory =
     "not enough memory; give a smaller mesh or ask for fewer sites";
 
-Failure interruption() {
-  return {ExitStatus::NotFinished, "interrupted; no output was written"};
-}
-
 void fail_about(const std::string& file) {
   const auto fail = [&](ExitStatus status, const std::string& message) {
     return Failure(status, fmt::format("{}: {}", file, message));
@@ -33,7 +29,7 @@ void fail_about(const std::string& file) {
   } catch (const Failure&) {
     throw;
   } catch (const Cancelled&) {
-    throw interruption();
+    throw Failure(ExitStatus::NotFinished, "interrupted; no output was written");
   } catch (const InvalidInput& error) {
     throw fail(ExitStatus::BadInput, error.what());
   } catch (const IoError& error) {

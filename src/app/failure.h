@@ -42,9 +42,6 @@ auto about_file(const std::string& file, const Work& work) -> decltype(work()) {
 /// What is said when memory ends.
 extern const char* const not_enough_memory;
 
-/// The Failure of an interrupted run.
-Failure interruption();
-
 /// Prints "ucvt: " and the text to stderr as exactly one line.
 void print_line_to_stderr(const std::string& text);
 

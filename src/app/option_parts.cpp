@@ -74,6 +74,11 @@ void add_seed(CLI::App& app, std::uint64_t& seed) {
       ->type_name("S");
 }
 
+void add_method(CLI::App& app, Method& method) {
+  add_choice<Method>(app, "--method", method, {{"lbfgs", Method::Lbfgs}, {"lloyd", Method::Lloyd}},
+                     "how sites are moved (default lbfgs)");
+}
+
 CLI::Option* add_sites(CLI::App& app, int& sites) {
   return add_number(
              app, "-n", sites, [](int n) { return n >= 1; }, "a whole number from 1 up",

@@ -71,6 +71,7 @@ void add_seconds(CLI::App& app, const std::string& name, double& seconds,
                  const std::string& description);
 void add_threads(CLI::App& app, int& threads);
 void add_seed(CLI::App& app, std::uint64_t& seed);
+void add_method(CLI::App& app, Method& method);
 CLI::Option* add_sites(CLI::App& app, int& sites);
 
 struct StopFlags {

@@ -99,9 +99,7 @@ RemeshFlags add_tessellation(CLI::App& app, RemeshArguments& arguments,
   add_seconds(app, "--checkpoint-every", arguments.checkpoint.every_seconds,
               "least time from one checkpoint to the next (default 30)");
   flags.stop = add_stop(app, arguments.options.iterations, arguments.options.tolerance);
-  add_choice<Method>(app, "--method", arguments.options.method,
-                     {{"lbfgs", Method::Lbfgs}, {"lloyd", Method::Lloyd}},
-                     "how sites are moved (default lbfgs)");
+  add_method(app, arguments.options.method);
   app.add_flag("--ensure-simplicial,!--no-ensure-simplicial", arguments.options.ensure_simplicial,
                "add the few sites that a simplicial mesh needs (default: on)");
   app.add_flag("--check", arguments.check,

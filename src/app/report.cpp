@@ -148,8 +148,7 @@ Json repair_report(const RepairReport& repair) {
 void add_space_report(Json& report, const std::string& domain, const SpaceResult& result,
                       bool uniform_density) {
   const Domain& space = result.domain;
-  const bool closed =
-      space.kind != DomainKind::PlanePolygon && space.kind != DomainKind::HyperbolicPolygon;
+  const bool closed = is_closed(space);
   report["space"] = {{"domain", domain},
                      {"kappa", space.kappa},
                      {"area", space.area},
@@ -162,7 +161,8 @@ void add_space_report(Json& report, const std::string& domain, const SpaceResult
     std::transform(largest.begin(), largest.end(), largest.begin(), std::negate<>());
     energies["F_S_max"] = largest;
   }
-  report["energy_over_hexagonal"] = uniform_density ? Json(energy_over_hexagonal(result)) : Json();
+  report["cvt"]["energy_over_hexagonal"] =
+      uniform_density ? Json(energy_over_hexagonal(result)) : Json();
   report["initial_uniformity"] = uniformity_report(result.initial_uniformity);
   report["uniformity"] = uniformity_report(result.uniformity);
   report["quadrature_error"] = result.quadrature_error;

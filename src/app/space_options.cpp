@@ -29,12 +29,21 @@ void as_usage(const std::string& option, const Work& work) {
 void add_computation(CLI::App& app, SpaceArguments& arguments) {
   SpaceOptions& options = arguments.options;
   const auto init = [&arguments](const std::string& text) {
-    arguments.init_file = text == "random" ? "" : text;
+    arguments.init_file.clear();
+    if (text == "multilevel") {
+      arguments.options.init = InitialSites::Multilevel;
+    } else if (text == "random") {
+      arguments.options.init = InitialSites::Random;
+    } else {
+      arguments.init_file = text;
+    }
   };
-  app.add_option_function<std::string>(
-         "--init", init, "where the sites start (default random); FILE: as --sites wrote it")
-      ->type_name("random|FILE");
+  app.add_option_function<std::string>("--init", init,
+                                       "where the sites start (default multilevel, in polygons "
+                                       "random); FILE: as --sites wrote it")
+      ->type_name("multilevel|random|FILE");
   add_seed(app, options.seed);
+  add_method(app, options.method);
   app.add_option("--density", options.density, "density of the sites' mass, as in docs/spaces.md")
       ->type_name("FORMULA");
   add_number(

@@ -45,24 +45,23 @@ void check_components(const RemeshArguments& a, const ClosedInput& input) {
   check(!a.figures.figure.empty() && a.figures.show == SurfaceShow::Cells, "--show cells");
 }
 
-void refuse_what_open_surfaces_lack(const RemeshArguments& arguments, const ClosedInput& input) {
+void refuse_what_open_surfaces_lack(const RemeshArguments& a, const ClosedInput& input) {
   if (!input.open) {
     return;
   }
-  const SurfaceFigureArguments& figures = arguments.figures;
-  const bool cells = !figures.figure.empty() && figures.show == SurfaceShow::Cells;
-  const char* const asked = !arguments.checkpoint.path.empty()               ? "--checkpoint"
-                            : arguments.check                                ? "--check"
-                            : !arguments.init_file.empty()                   ? "--init"
-                            : arguments.options.init == InitialSites::Random ? "--init random"
-                            : cells                                          ? "--show cells"
-                            : !figures.cover.empty()                         ? "--cover"
-                                                                             : nullptr;
-  if (asked != nullptr) {
-    throw Failure(ExitStatus::BadInput,
-                  fmt::format("{}: the surface is open, where there is no {}; leave it out",
-                              input_name(arguments.shared.input), asked));
-  }
+  const auto check = [&](bool asked, const char* what) {
+    if (asked) {
+      throw Failure(ExitStatus::BadInput,
+                    fmt::format("{}: the surface is open, where there is no {}; leave it out",
+                                input_name(a.shared.input), what));
+    }
+  };
+  check(!a.checkpoint.path.empty(), "--checkpoint");
+  check(a.check, "--check");
+  check(!a.init_file.empty(), "--init");
+  check(a.options.init == InitialSites::Random, "--init random");
+  check(!a.figures.figure.empty() && a.figures.show == SurfaceShow::Cells, "--show cells");
+  check(!a.figures.cover.empty(), "--cover");
 }
 
 std::vector<RemeshResult> computed(const RemeshArguments& arguments, const ClosedInput& input,

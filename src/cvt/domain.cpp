@@ -226,6 +226,10 @@ Domain surface_domain(int genus, SidePairing pairing) {
   return out;
 }
 
+bool is_closed(const Domain& domain) {
+  return domain.kind != DomainKind::PlanePolygon && domain.kind != DomainKind::HyperbolicPolygon;
+}
+
 CentralPoint central_point(const ModelPoint& p) {
   return {p[0] / p[2], p[1] / p[2]};
 }

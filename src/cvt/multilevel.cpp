@@ -10,6 +10,16 @@ namespace {
 /// Sites of the first level.
 constexpr std::int64_t least_coarse = 32, most_coarse = 160;
 
+double mean_edge(const DelaunayTriangulation& d, Vertex v) {
+  double sum = 0;
+  int n = 0;
+  d.connectivity().for_outgoing(v, [&](Halfedge h) {
+    sum += std::sqrt(2 * d.offset(h).h);
+    ++n;
+  });
+  return sum / n;
+}
+
 }  // namespace
 
 LevelPlan plan_levels(int sites, std::int64_t euler_number) {
@@ -18,7 +28,7 @@ LevelPlan plan_levels(int sites, std::int64_t euler_number) {
   const std::int64_t wanted = sites - euler_number;
   std::int64_t factor = 4;
   for (int levels = 1; factor < wanted; ++levels, factor *= 4) {
-    const std::int64_t coarsest = (wanted + factor - 1) / factor + euler_number;
+    const std::int64_t coarsest = sites_on_level(sites, euler_number, levels);
     if (coarsest < least_coarse || (coarsest > most_coarse && levels > 1)) {
       continue;
     }
@@ -30,14 +40,18 @@ LevelPlan plan_levels(int sites, std::int64_t euler_number) {
   return best;
 }
 
-std::vector<Halfedge> longest_edges(const Tessellation& sites, std::size_t most) {
-  const DelaunayTriangulation& d = sites.delaunay();
+int sites_on_level(int sites, std::int64_t euler_number, int levels_left) {
+  const std::int64_t factor = std::int64_t{1} << (2 * levels_left);
+  return static_cast<int>((sites - euler_number + factor - 1) / factor + euler_number);
+}
+
+std::vector<Halfedge> longest_edges(const DelaunayTriangulation& d, std::size_t most) {
   std::vector<std::pair<double, Halfedge>> edges;
   for (std::size_t i = 0; i < d.connectivity().halfedge_count(); ++i) {
     const Halfedge h{static_cast<std::int32_t>(i)};
     if (d.connectivity().is_canonical(h)) {
       const double around =
-          sites.spacing(d.connectivity().origin(h)) + sites.spacing(d.connectivity().head(h));
+          mean_edge(d, d.connectivity().origin(h)) + mean_edge(d, d.connectivity().head(h));
       edges.emplace_back(-std::sqrt(2 * d.offset(h).h) / around, h);
     }
   }
@@ -47,6 +61,10 @@ std::vector<Halfedge> longest_edges(const Tessellation& sites, std::size_t most)
     out.push_back(edges[i].second);
   }
   return out;
+}
+
+std::vector<Halfedge> longest_edges(const Tessellation& sites, std::size_t most) {
+  return longest_edges(sites.delaunay(), most);
 }
 
 }  // namespace ucvt

@@ -19,7 +19,12 @@ struct LevelPlan {
 /// that can be.
 LevelPlan plan_levels(int sites, std::int64_t euler_number);
 
+/// Sites of the level after which `levels_left` splittings lead to the number asked for, or a few more:
+/// what is too many is left out where that is fewest.
+int sites_on_level(int sites, std::int64_t euler_number, int levels_left);
+
 /// So many of D's edges, or all: those longest for their surroundings first.
+std::vector<Halfedge> longest_edges(const DelaunayTriangulation& d, std::size_t most);
 std::vector<Halfedge> longest_edges(const Tessellation& sites, std::size_t most);
 
 }  // namespace ucvt

@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 
+#include "space/polygon_moments.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -17,6 +18,10 @@ constexpr std::size_t memory = 7;
 constexpr double sufficient_decrease = 1e-4;
 constexpr int max_halvings = 4;
 constexpr double longest_step = 0.5;
+
+/// On the sphere a cell's Hessian is this part of its gradient at least: it vanishes where the mass lies
+/// a quarter turn from the site.
+constexpr double flattest = 0.5;
 
 /// Of a step in the hyperbolic plane, in central coordinates: a distance of 7.
 constexpr double farthest = 1 - 1e-6;
@@ -44,10 +49,23 @@ void add(Vectors& a, double factor, const Vectors& b) {
   }
 }
 
-/// Energy, gradient and Lloyd's step, all in the sites' frames; steps are central coordinates.
+/// Steps are central coordinates, which end at 1 in the hyperbolic plane: no step goes so far.
+Offset at(Space s, const Vector2& step) {
+  const double length = std::hypot(step.x, step.y);
+  const double scale = s.kappa < 0 && length > farthest ? farthest / length : 1;
+  return from_central(s, scale * step.x, scale * step.y);
+}
+
+/// False without mass, and where it pulls evenly to all sides.
+bool has_centroid(Space s, const Moments& m) {
+  return m.m > 0 && (m.x != 0 || m.y != 0 || m.m - s.kappa * m.h > 0);
+}
+
+/// Energy, gradient and centroids, all in the sites' frames.
 struct Evaluation {
   double energy = 0, max_move = 0;
-  Vectors gradient, lloyd;
+  Vectors gradient;
+  std::vector<Offset> centroid;
   std::vector<double> inverse_hessian, spacing;
 };
 
@@ -67,6 +85,9 @@ class Optimizer {
         break;
       }
       now = options_.method == Method::Lloyd ? lloyd_step(now) : lbfgs_step(std::move(now));
+      if (stuck_) {
+        break;
+      }
       out_.cancelled =
           monitor_ && !monitor_({"optimize", static_cast<int>(out_.energy.size()), now.max_move});
       if (out_.cancelled) {
@@ -87,43 +108,36 @@ class Optimizer {
     sites_.measure(cells_);
     const std::size_t n = cells_.size();
     Evaluation e;
-    e.gradient.resize(n), e.lloyd.resize(n), e.inverse_hessian.resize(n), e.spacing.resize(n);
+    e.gradient.resize(n), e.centroid.resize(n), e.inverse_hessian.resize(n), e.spacing.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const Moments& m = cells_[i].moments;
       e.energy += 2 * m.h;
       e.gradient[i] = {-2 * m.x, -2 * m.y};
       e.spacing[i] = cells_[i].spacing;
-      const double scale = m.m - space_.kappa * m.h;
-      if (!(scale > 0)) {
-        continue;  // no mass: nowhere to go
+      if (!has_centroid(space_, m)) {
+        continue;
       }
-      e.inverse_hessian[i] = 1 / (2 * scale);
-      e.lloyd[i] = {m.x / scale, m.y / scale};
-      const double chord = std::sqrt(2 * at(e.lloyd[i]).h);
+      const double along = m.m - space_.kappa * m.h;
+      e.inverse_hessian[i] =
+          1 / (2 * std::max(along, flattest * space_.kappa * std::hypot(m.x, m.y)));
+      e.centroid[i] = centroid_or_site(space_, m);
+      const double chord = std::sqrt(2 * e.centroid[i].h);
       e.max_move = std::max(e.max_move, chord / e.spacing[i]);
     }
     return e;
   }
 
-  /// Steps are central coordinates, which end at 1 in the hyperbolic plane: neither a long step nor a
-  /// centroid that rounding puts there goes so far.
-  [[nodiscard]] Offset at(const Vector2& step) const {
-    const double length = std::hypot(step.x, step.y);
-    const double scale = space_.kappa < 0 && length > farthest ? farthest / length : 1;
-    return from_central(space_, scale * step.x, scale * step.y);
-  }
-
   void move(const Vectors& step, double factor) {
     target_.resize(step.size());
     for (std::size_t i = 0; i < step.size(); ++i) {
-      target_[i] = at({factor * step[i].x, factor * step[i].y});
+      target_[i] = at(space_, {factor * step[i].x, factor * step[i].y});
     }
     sites_.move(target_);
   }
 
   Evaluation lloyd_step(const Evaluation& now) {
     pairs_.clear();
-    move(now.lloyd, 1);
+    sites_.move(now.centroid);
     return evaluate();
   }
 
@@ -203,8 +217,8 @@ class Optimizer {
     update_stiffness(now);
     const Vectors d = direction(now);
     const double slope = dot(d, now.gradient);
+    sites_.save();
     if (slope < 0) {
-      sites_.save();
       double factor = 1;
       for (int k = 0; k <= max_halvings && out_.evaluations < options_.evaluations; ++k) {
         try {
@@ -225,7 +239,16 @@ class Optimizer {
     if (out_.evaluations >= options_.evaluations) {
       return now;
     }
-    return lloyd_step(now);
+    try {
+      return lloyd_step(now);
+    } catch (const NumericalError&) {
+      if (out_.energy.size() < 2) {
+        throw;
+      }
+      sites_.restore();
+      stuck_ = true;
+      return now;
+    }
   }
 
   SiteSystem& sites_;
@@ -238,9 +261,18 @@ class Optimizer {
   std::unique_ptr<Stiffness> stiffness_;
   int stiffness_age_ = 0;
   OptimizeResult out_;
+  bool stuck_ = false;  ///< the triangulation can follow no step
 };
 
 }  // namespace
+
+Offset centroid_or_site(Space s, const Moments& m) {
+  if (!has_centroid(s, m)) {
+    return {};
+  }
+  const double along = m.m - s.kappa * m.h;
+  return s.kappa < 0 ? at(s, {m.x / along, m.y / along}) : centroid_anywhere(s, m);
+}
 
 OptimizeResult optimize(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor) {
   return Optimizer(sites, options, monitor).run();

@@ -40,6 +40,11 @@ class SiteSystem {
   virtual void restore() = 0;
 };
 
+/// The centroid in the frame of the moments, on the sphere maybe on the far side; the origin where there
+/// is no mass, or where it pulls evenly to all sides. Stays off the hyperbolic plane's rim, where
+/// rounding could put it.
+Offset centroid_or_site(Space s, const Moments& m);
+
 struct OptimizeOptions {
   Method method = Method::Lbfgs;
   int evaluations = 1000;   ///< of all cells, at most, after that of the sites as they are
@@ -60,8 +65,10 @@ struct OptimizeResult {
 ///
 /// Lloyd's method moves every site to its cell's centroid. L-BFGS (Nocedal 1980; memory 7) starts
 /// from the inverse of the sites' stiffness, made anew now and then; where springs are not known from
-/// 1/(2 (m - kappa Mh)), cell by cell, which is Lloyd's step. It backs off by Armijo's rule, drops pairs of negative curvature, and falls back to Lloyd's step, which
-/// never raises the energy, when a direction fails.
+/// 1/(2 (m - kappa Mh)), cell by cell, which is Lloyd's step. It backs off by Armijo's rule, drops
+/// pairs of negative curvature, and falls back to Lloyd's step, which never raises the energy, when a
+/// direction fails. Where the sites can follow no step at all (NumericalError) they stay where they
+/// are and that is the end, not converged; at the first step the error passes through.
 OptimizeResult optimize(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor);
 
 }  // namespace ucvt

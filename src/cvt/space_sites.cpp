@@ -4,11 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <tbb/parallel_for.h>
 
 #include "cvt/domain.h"
+#include "cvt/multilevel.h"
 #include "cvt/polygon_delaunay.h"
 #include "triangulation/closed_spaces.h"
 #include "triangulation/hilbert_order.h"
@@ -71,6 +73,9 @@ ModelPoint unit(const ModelPoint& p) {
   return {p[0] / length, p[1] / length, p[2] / length};
 }
 
+/// Of a step that leads out of a polygon: less is not tried.
+constexpr double least_part = 1e-9;
+
 /// Sites in the first block of the insertion.
 constexpr std::size_t first_block = 64;
 
@@ -92,6 +97,13 @@ std::vector<std::size_t> insertion_order(const std::vector<ModelPoint>& sites) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return block(a) < block(b); });
   return order;
+}
+
+/// Half the way to a point.
+Offset halfway(Space s, const Offset& to) {
+  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
+  const double r = std::hypot(to.x, to.y);
+  return from_chord(s, half, to.x / r, to.y / r);
 }
 
 double distance(Space s, const Offset& p) {
@@ -130,6 +142,26 @@ class ClosedSites : public SpaceSites {
     });
     correct_offsets(frames_);
     d_.make_delaunay();
+  }
+
+  void save() override {
+    SpaceSites::save();
+    saved_d_ = d_;
+  }
+  void restore() override {
+    SpaceSites::restore();
+    d_ = *saved_d_;
+  }
+
+  [[nodiscard]] std::vector<ModelPoint> middles(std::size_t most) const override {
+    std::vector<ModelPoint> out;
+    for (const Halfedge h : longest_edges(d_, most)) {
+      const Frame& from = frames_[d_.connectivity().origin(h).index()];
+      Frame at = orthonormal(carried(from, halfway(d_.space(), d_.offset(h))));
+      move_into_polygon(domain_, at);
+      out.push_back(at.P);
+    }
+    return out;
   }
 
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> triangles() const override {
@@ -210,6 +242,7 @@ class ClosedSites : public SpaceSites {
 
   Domain domain_;
   DelaunayTriangulation d_;
+  std::optional<DelaunayTriangulation> saved_d_;
 };
 
 class PolygonSites : public SpaceSites {
@@ -238,9 +271,19 @@ class PolygonSites : public SpaceSites {
 
   void move(const std::vector<Offset>& target) override {
     for (std::size_t i = 0; i < target.size(); ++i) {
-      frames_[i] = orthonormal(carried(frames_[i], target[i]));
+      frames_[i] = moved(frames_[i], target[i]);
     }
     connect();
+  }
+
+  void save() override {
+    SpaceSites::save();
+    saved_delaunay_ = delaunay_;
+  }
+  void restore() override {
+    SpaceSites::restore();
+    points_ = points();
+    delaunay_ = saved_delaunay_;
   }
 
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> triangles() const override {
@@ -248,6 +291,21 @@ class PolygonSites : public SpaceSites {
   }
 
  private:
+  /// The frame carried to a point, or less far along the way there, in the polygon.
+  [[nodiscard]] Frame moved(const Frame& from, const Offset& to) const {
+    const Space s{domain_.kappa};
+    Offset stop = to;
+    for (double part = 1; part > least_part; part /= 2) {
+      const Frame there = orthonormal(carried(from, stop));
+      if (contains(domain_, there.P)) {
+        return there;
+      }
+      const double scale = part / 2 / model_z(s, to);
+      stop = from_central(s, scale * to.x, scale * to.y);
+    }
+    return from;
+  }
+
   void connect() {
     points_ = points();
     delaunay_ = delaunay_in_polygon(domain_, points_);
@@ -255,7 +313,7 @@ class PolygonSites : public SpaceSites {
 
   Domain domain_;
   std::vector<ModelPoint> corners_, points_;
-  PolygonDelaunay delaunay_;
+  PolygonDelaunay delaunay_, saved_delaunay_;
 };
 
 /// Two sites on the sphere have hemispheres for cells, three have lunes between the two poles of the

@@ -39,11 +39,17 @@ class SpaceSites {
   /// Moves site i to target[i] in its own frame, all of them. A site may stop short where its
   /// triangulation asks for that.
   virtual void move(const std::vector<Offset>& target) = 0;
+  /// Remembers the sites where they are, and goes back there.
+  virtual void save() { saved_frames_ = frames_; }
+  virtual void restore() { frames_ = saved_frames_; }
+  /// The middles of so many Delaunay edges, or all, those longest for their surroundings first; none
+  /// where nothing is triangulated on a closed domain.
+  [[nodiscard]] virtual std::vector<ModelPoint> middles(std::size_t /*most*/) const { return {}; }
   /// Delaunay triangles, counterclockwise.
   [[nodiscard]] virtual std::vector<std::array<std::int32_t, 3>> triangles() const = 0;
 
  protected:
-  std::vector<Frame> frames_;
+  std::vector<Frame> frames_, saved_frames_;
 };
 
 /// Throws NumericalError when four or more sites on a sphere lie in one hemisphere; InvalidInput

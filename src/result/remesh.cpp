@@ -39,8 +39,8 @@ constexpr double most_moved = 0.25;
 constexpr double shortest_loop = 3, least_shrink = 0.8, growth = 0.7;
 
 /// Evaluations and tolerance of each level of a multilevel start.
-constexpr int level_evaluations = 80;
-constexpr double level_tolerance = 1e-3;
+constexpr int level_evaluations = 30;
+constexpr double level_tolerance = 3e-3;
 
 /// Evaluations from one restart point to the next: there D, cells, frames and the optimiser's memory
 /// are made anew from the sites alone, whether anyone asks for a checkpoint or not.
@@ -220,7 +220,6 @@ class Remesher {
     if (at_.levels_left > 0) {
       split_longest_edges();
       --at_.levels_left;
-      restart();
       return true;
     }
     if (at_.round > 0 && !at_.closing && edges_not_simplicial(sites_->delaunay()).empty()) {

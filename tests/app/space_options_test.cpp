@@ -43,6 +43,7 @@ TEST(SpaceOptions, WrongUsageIsOneLineWithAHint) {
             "--density: unknown name 'foo' at position 3"},
            {{"plane", "-n", "9", "--density", "-1"}, "--density: the constant is -1"},
            {{"sphere", "-n", "9", "--quadrature", "0"}, "'0' is not a number between 0 and 1"},
+           {{"sphere", "-n", "9", "--method", "newton"}, "'newton' is none of lbfgs|lloyd"},
            {{"sphere", "-n", "9", "--centroids"}, "--centroids requires --figure"},
            {{"sphere", "-n", "9", "--figure", "f.gif"}, "'.gif'"},
            {{"sphere", "-n", "9", "--cells", "c.vtk"}, "'.vtk'"},

@@ -6,6 +6,7 @@
 
 #include "cvt/tessellation.h"
 #include "oracle/surfaces.h"
+#include "ucvt/error.h"
 
 namespace ucvt {
 namespace {
@@ -140,6 +141,58 @@ TEST(Optimize, ALongStepStaysInTheHyperbolicPlane) {
     EXPECT_GT(site.reached.x, 10);
     EXPECT_NEAR(site.reached.x * site.reached.x / (site.reached.h * (2 + site.reached.h)), 1, 1e-9);
   }
+}
+
+/// One site that can follow so many steps and no more.
+class HeldSite : public SiteSystem {
+ public:
+  explicit HeldSite(int steps) : left_(steps) {}
+  [[nodiscard]] Space space() const override { return {0}; }
+  [[nodiscard]] std::size_t site_count() const override { return 1; }
+  void measure(std::vector<CellState>& out) const override {
+    out = {{{1, place, 0, place * place / 2 + 1}, 10}};
+  }
+  void move(const std::vector<Offset>& target) override {
+    place -= target[0].x / 2;
+    if (left_-- <= 0) {
+      throw NumericalError("no farther");
+    }
+  }
+  void save() override { saved_ = place; }
+  void restore() override { place = saved_; }
+
+  double place = 4;
+
+ private:
+  int left_;
+  double saved_ = 0;
+};
+
+TEST(Optimize, WhereNoStepCanBeFollowedIsTheEnd) {
+  HeldSite site(1);
+  const OptimizeResult out = optimize(site, {Method::Lbfgs, 1000, 1e-9}, {});
+  EXPECT_FALSE(out.converged);
+  EXPECT_EQ(out.energy.size(), 2);
+  EXPECT_EQ(out.evaluations, 1);
+  EXPECT_EQ(out.energy.back(), site.place * site.place + 2);
+  HeldSite held(0);
+  EXPECT_THROW(optimize(held, {Method::Lbfgs, 1000, 1e-9}, {}), NumericalError);
+}
+
+/// One site whose cell's mass lies on the far side of the sphere.
+class FarSite : public PulledSite {
+ public:
+  [[nodiscard]] Space space() const override { return {1}; }
+  void measure(std::vector<CellState>& out) const override { out = {{{1, 0.6, 0, 1.8}, 1}}; }
+};
+
+TEST(Optimize, LloydsStepGoesPastTheHorizon) {
+  FarSite site;
+  optimize(site, {Method::Lloyd, 1, 0}, {});
+  EXPECT_DOUBLE_EQ(site.reached.x, 0.6);
+  EXPECT_DOUBLE_EQ(site.reached.h, 1.8);
+  optimize(site, {Method::Lbfgs, 1, 0}, {});
+  EXPECT_GT(site.reached.x, 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Curvatures, OptimizeTest, testing::Values(1.0, 0.0, -1.0));

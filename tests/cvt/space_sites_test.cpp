@@ -211,6 +211,75 @@ TEST(SpaceSites, StayInTheDomainWhereverTheyGo) {
   }
 }
 
+TEST(SpaceSites, StayInPolygonsHoweverFarTheyAreSent) {
+  for (const NamedDomain& named : domains()) {
+    const Domain& domain = named.domain;
+    if (is_closed(domain)) {
+      continue;
+    }
+    const auto sites = random_sites(domain, 30, 3);
+    const std::vector<ModelPoint> before = sites->points();
+    sites->move(std::vector<Offset>(30, from_chord({domain.kappa}, 5, 0.6, 0.8)));
+    const std::vector<ModelPoint> after = sites->points();
+    for (std::size_t i = 0; i < 30; ++i) {
+      EXPECT_TRUE(contains(domain, after[i]));
+      EXPECT_NE(before[i], after[i]);
+    }
+    expect_voronoi(named, *sites, 1e-8);
+  }
+}
+
+TEST(SpaceSites, GoBackToWhereTheyWereSaved) {
+  std::vector<NamedDomain> all = domains();
+  all.push_back({"two on the sphere", sphere_domain(), {}});
+  for (const NamedDomain& named : all) {
+    const auto sites = random_sites(named.domain, named.deck.empty() ? 2 : 40, 2);
+    const auto points = sites->points();
+    const auto triangles = sites->triangles();
+    sites->save();
+    for (int i = 0; i < 20; ++i) {
+      move_to_centroids(named.domain, *sites);
+    }
+    EXPECT_NE(sites->points(), points);
+    sites->restore();
+    EXPECT_EQ(sites->points(), points);
+    EXPECT_EQ(sites->triangles(), triangles);
+    if (!named.deck.empty()) {
+      expect_voronoi(named, *sites, 1e-8);
+    }
+  }
+}
+
+TEST(SpaceSites, MiddlesLieHalfwayBetweenTwoSites) {
+  for (const NamedDomain& named : domains()) {
+    const Domain& domain = named.domain;
+    const auto sites = random_sites(domain, 30, 4);
+    const std::vector<ModelPoint> all = sites->middles(1000);
+    if (!is_closed(domain)) {
+      EXPECT_TRUE(all.empty());
+      continue;
+    }
+    EXPECT_EQ(static_cast<int>(all.size()), 3 * (30 - 2 + 2 * domain.genus)) << named.name;
+    EXPECT_EQ(sites->middles(7), std::vector<ModelPoint>(all.begin(), all.begin() + 7));
+    std::vector<ModelPoint> lifts;
+    for (const ModelMatrix& m : named.deck) {
+      for (const ModelPoint& p : sites->points()) {
+        lifts.push_back(on_model(domain.kappa, transformed(m, p)));
+      }
+    }
+    for (const ModelPoint& p : all) {
+      EXPECT_TRUE(contains(domain, p));
+      // The middle of an edge may lie nearer to a third site, but its ends are equally far.
+      const auto d = distances(lifts, domain.kappa, p);
+      bool halves = false;
+      for (std::size_t i = 1; i < std::min<std::size_t>(d.size(), 8); ++i) {
+        halves = halves || d[i] - d[i - 1] < 1e-8;
+      }
+      EXPECT_TRUE(halves) << named.name;
+    }
+  }
+}
+
 TEST(SpaceSites, TrianglesAreTheDualOfTheCorners) {
   for (const NamedDomain& named : domains()) {
     const Domain& domain = named.domain;

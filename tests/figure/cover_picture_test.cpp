@@ -35,6 +35,20 @@ RemeshResult few_cells(int genus, int sites) {
   return remesh(surface_of_genus(genus), options);
 }
 
+/// Cells in the cover; a sphere is its own.
+struct Covered {
+  explicit Covered(const RemeshResult& r) {
+    if (r.report.genus > 0) {
+      cover.emplace(r.surface);
+      polygon.emplace(*cover);
+    }
+    cells = cover_cells(r, polygon ? &*polygon : nullptr, cover ? &*cover : nullptr);
+  }
+  std::optional<Cover> cover;
+  std::optional<CentredPolygon> polygon;
+  CoverCells cells;
+};
+
 double distance(double kappa, const ModelPoint& p, const ModelPoint& q) {
   const ModelPoint d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   return std::sqrt(std::max(0.0, d[0] * d[0] + d[1] * d[1] + kappa * d[2] * d[2]));
@@ -117,13 +131,8 @@ TEST(CoverCells, FillTheSurfaceAndSurroundTheirSites) {
   for (const int genus : {0, 1, 2}) {
     const RemeshResult r = few_cells(genus, 60);
     const double kappa = genus == 0 ? 1 : genus == 1 ? 0 : -1;
-    std::optional<Cover> cover;
-    std::optional<CentredPolygon> polygon;
-    if (genus > 0) {
-      cover.emplace(r.surface);
-      polygon.emplace(*cover);
-    }
-    const CoverCells c = cover_cells(r, polygon ? &*polygon : nullptr, cover ? &*cover : nullptr);
+    const Covered covered(r);
+    const CoverCells& c = covered.cells;
     double area = 0;
     for (std::size_t i = 0; i < c.cells.size(); ++i) {
       const Frame at = frame_at(kappa, on_model(kappa, c.sites[i]));
@@ -142,16 +151,11 @@ TEST(CoverCells, ThreeMeetInEveryCorner) {
   // Copies included: cells of the domain reach across its sides.
   for (const int genus : {0, 1, 2}) {
     const RemeshResult r = few_cells(genus, 60);
-    std::optional<Cover> cover;
-    std::optional<CentredPolygon> polygon;
-    if (genus > 0) {
-      cover.emplace(r.surface);
-      polygon.emplace(*cover);
-    }
-    const CoverCells c = cover_cells(r, polygon ? &*polygon : nullptr, cover ? &*cover : nullptr);
+    const Covered covered(r);
+    const CoverCells& c = covered.cells;
     std::vector<ModelMatrix> lifts{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-    if (polygon) {
-      const auto copies = polygon->neighbours();
+    if (covered.polygon) {
+      const auto copies = covered.polygon->neighbours();
       lifts.insert(lifts.end(), copies.begin(), copies.end());
     }
     std::vector<ModelPoint> all;
