@@ -66,6 +66,9 @@ struct MeshSurvey {
 /// Counts everything `ucvt info` reports. Never throws on a mesh that `read_mesh` returned.
 MeshSurvey survey(const TriangleMesh& mesh);
 
+/// The sum of the faces' areas, in squares of the mesh's unit.
+double surface_area(const TriangleMesh& mesh);
+
 /// A mesh fit for uniformization, and how it was got.
 struct ClosedSurface {
   TriangleMesh mesh;  ///< used vertices only, in their order; faces oriented

@@ -51,7 +51,7 @@ double boundary_length(const TriangleMesh& mesh) {
 /// Distance between neighbours in a hexagonal lattice of n sites, those on the boundary among them:
 /// their cells are halves, so that n - L/(2h) cells of area sqrt(3)/2 h^2 fill the surface.
 double hexagonal_spacing(const TriangleMesh& mesh, int n) {
-  const double half = boundary_length(mesh) / 2, area = survey(mesh).area;
+  const double half = boundary_length(mesh) / 2, area = surface_area(mesh);
   return (half + std::sqrt(half * half + 8 * n * area / std::numbers::sqrt3)) / (2 * n);
 }
 

@@ -55,7 +55,7 @@ constexpr int max_draws = 200;
 
 /// Distance between neighbours in a hexagonal lattice of so many sites on the mesh.
 double hexagonal_spacing(const TriangleMesh& mesh, int sites) {
-  return std::sqrt(2 * survey(mesh).area / (sites * std::numbers::sqrt3));
+  return std::sqrt(2 * surface_area(mesh) / (sites * std::numbers::sqrt3));
 }
 
 void check_count(const ClosedSurface& surface, int sites) {

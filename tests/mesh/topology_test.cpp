@@ -224,6 +224,7 @@ TEST(Survey, AgreesWithBruteForce) {
 TEST(Survey, Measures) {
   const MeshSurvey s = survey(tetrahedron());
   EXPECT_NEAR(s.area, 1.5 + std::sqrt(3.0) / 2, 1e-15);
+  EXPECT_NEAR(surface_area(tetrahedron()), s.area, 1e-15);
   EXPECT_NEAR(s.bbox_diagonal, std::sqrt(3.0), 1e-15);
   EXPECT_EQ(s.edge_min, 1);
   EXPECT_NEAR(s.edge_max, std::sqrt(2.0), 1e-15);
