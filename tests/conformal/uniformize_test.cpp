@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "conformal/metric_solver.h"
-#include "conformal/punctured_sphere.h"
 #include "oracle/surfaces.h"
 #include "ucvt/error.h"
 
@@ -234,13 +233,6 @@ TEST(Uniformize, FewStepsFromAnInversion) {
   const Uniformized u = uniformize_surface(oracle::closed(mesh), {});
   expect_uniform(u);
   EXPECT_LE(u.report.newton_iterations, 5);
-}
-
-TEST(Uniformize, ALayoutThatIsNoNumbersIsNotConverged) {
-  IntrinsicTriangulation t = intrinsic_triangulation(oracle::icosphere(1));
-  std::vector<double> u;
-  const std::vector<double> weight(t.connectivity.vertex_count(), std::nan(""));
-  EXPECT_FALSE(solve_sphere(t, u, weight, {}).converged);
 }
 
 TEST(Uniformize, RefusesAPointAndStopsWhenTold) {
