@@ -102,20 +102,25 @@ void flip_to_delaunay(IntrinsicTriangulation& t, std::vector<Halfedge> stack) {
 
 void mollify(std::vector<double>& length) {
   double mean = 0, missing = 0;
-  bool degenerate = false;
+  std::size_t degenerate = 0;
   for (const double l : length) {
     mean += l / static_cast<double>(length.size());
   }
   for (std::size_t f = 0; f < length.size(); f += 3) {
+    bool flat = false;
     for (std::size_t i = 0; i < 3; ++i) {
       const double c = length[f + i], a = length[f + (i + 1) % 3], b = length[f + (i + 2) % 3];
       const double room = (a - c) + b;
-      degenerate = degenerate || room <= least_room * std::max({a, b, c});
+      flat = flat || room <= least_room * std::max({a, b, c});
       missing = std::max(missing, mollified_room * mean - room);
     }
+    degenerate += flat ? 1 : 0;
   }
-  if (!degenerate) {
+  if (degenerate == 0) {
     return;
+  }
+  if (3 * degenerate == length.size()) {
+    throw InvalidInput("no face has an area; check the units and the export");
   }
   for (double& l : length) {
     l += missing;

@@ -24,7 +24,7 @@ struct IntrinsicTriangulation {
 ///
 /// Where a triangle is degenerate to rounding (zero-length edges, collinear corners) all lengths
 /// grow by the least constant that gives every triangle room of 1e-5 mean edge lengths (Sharp and
-/// Crane 2020); otherwise they are exact. Throws InvalidInput when all edges have length zero.
+/// Crane 2020); otherwise they are exact. Throws InvalidInput when all triangles are degenerate.
 IntrinsicTriangulation intrinsic_triangulation(const TriangleMesh& mesh);
 
 /// Flips to intrinsic Delaunay with Euclidean flips (Bobenko and Springborn 2007).

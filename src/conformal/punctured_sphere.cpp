@@ -267,10 +267,11 @@ std::array<Vertex, 3> apart_on_sphere(const std::vector<PlanePoint>& p, Vertex p
 }
 
 /// Lays the plane out about the barycentre and moves the log scales onto the sphere. Returns three
-/// vertices in about orthogonal directions there.
-std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vector<double>& u,
-                                       Vertex puncture, double pin,
-                                       const std::vector<double>& weight) {
+/// vertices in about orthogonal directions there; nothing when positions are no numbers any more.
+std::optional<std::array<Vertex, 3>> wrap_onto_sphere(const IntrinsicTriangulation& t,
+                                                      std::vector<double>& u, Vertex puncture,
+                                                      double pin,
+                                                      const std::vector<double>& weight) {
   // Positions are accurate relative to their distance from the root of the layout, so the root has
   // to be at the middle of the weight: find it, lay out again about it, until it stays.
   Vertex root{puncture.id == 0 ? 1 : 0};
@@ -281,6 +282,9 @@ std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vec
     frame = {{0, 0}, median_distance(p, weight, puncture)};
     frame = conformal_barycentre(p, weight, puncture.index(), frame);
     const Vertex next = nearest(p, puncture, frame);
+    if (next.id < 0) {
+      return std::nullopt;
+    }
     if (next == root) {
       break;
     }
@@ -298,7 +302,11 @@ std::array<Vertex, 3> wrap_onto_sphere(const IntrinsicTriangulation& t, std::vec
     u[v] += std::numbers::ln2 - std::log(frame.scale) - log_1_r2;
   }
   u[puncture.index()] = std::numbers::ln2 + std::log(frame.scale) - pin;
-  return apart_on_sphere(p, puncture, frame);
+  const auto apart = apart_on_sphere(p, puncture, frame);
+  if (apart[1].id < 0 || apart[2].id < 0) {
+    return std::nullopt;
+  }
+  return apart;
 }
 
 /// Newton's method on the sphere itself takes off what the way there left: rounding of the layout,
@@ -341,7 +349,10 @@ MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>
       continue;
     }
     const auto apart = wrap_onto_sphere(t, u, puncture, plane.pin(), weight);
-    const auto polished = polish(t, u, apart, watch);
+    if (!apart) {
+      continue;
+    }
+    const auto polished = polish(t, u, *apart, watch);
     out.iterations += polished.iterations;
     out.max_angle_error = polished.max_angle_error;
     out.converged = polished.converged;

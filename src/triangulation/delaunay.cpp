@@ -278,13 +278,14 @@ Offset DelaunayTriangulation::move(Vertex v, const Offset& to) {
   }
   Halfedge link;
   connectivity_.for_outgoing(v, [&](Halfedge h) {
-    if (connectivity_.head(h) != v) {
+    if (connectivity_.head(h) != v && (link.id < 0 || offset(h).h < offset(link).h)) {
       link = h;
     }
   });
   const bool removable = space_.kappa <= 0 || vertex_count() > least_on_sphere;
   if (link.id >= 0 && removable) {
-    // A neighbour keeps the place while v is away.
+    // The nearest neighbour keeps the place while v is away: by way of a far one, what angles round
+    // vertices miss 2 pi by would grow with every move.
     const Vertex anchor = connectivity_.head(link);
     const Offset anchor_seen = transvect_back(space_, to, offset(link));
     const Offset at = frame_change(connectivity_.twin(link)).apply(space_, to);

@@ -1,5 +1,6 @@
 #include "triangulation/uniform_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -8,6 +9,63 @@
 #include "ucvt/error.h"
 
 namespace ucvt {
+namespace {
+
+/// An edge keeps its direction to 1e-10 radians while it is longer than this part of its distance
+/// from the origin; steps are shortened until all edges that they cross are.
+constexpr double least_edge = 1e-6;
+constexpr int most_tries = 1000;
+
+/// The point half way from the origin to p.
+Offset half_way(Space s, const Offset& p) {
+  const double h = p.h / 2 / (1 + std::sqrt(1 - s.kappa * p.h / 2)), r = std::hypot(p.x, p.y);
+  return from_chord(s, std::sqrt(2 * h), p.x / r, p.y / r);
+}
+
+/// Walks to the face under the origin; false, with the place anywhere, at an edge that is too short for
+/// its distance.
+bool walk_to_origin(const UniformSurface& t, Place& place, double shortest) {
+  const Space s = t.space();
+  const std::size_t limit = 100 + 3 * t.connectivity().face_count();
+  const auto is_short = [&](double chord, const Offset& at) {
+    return chord * chord < shortest * shortest * (at.x * at.x + at.y * at.y);
+  };
+  for (std::size_t step = 0; step < limit; ++step) {
+    // Leave across the side that the origin is farthest beyond.
+    std::size_t exit = 3;
+    double worst = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Offset &u = place.corner[i], &v = place.corner[(i + 1) % 3];
+      const double inside = cross(u, v) / std::sqrt(chord2(s, u, v));
+      if (inside < worst) {
+        worst = inside, exit = i;
+      }
+    }
+    const auto side = halfedges(place.face);
+    if (exit == 3) {
+      // A face too small and too far to tell has the origin on no side.
+      return !is_short(std::max({t.chord(side[0]), t.chord(side[1]), t.chord(side[2])}),
+                       place.corner[0]);
+    }
+    const Halfedge h = side[exit], twin = t.connectivity().twin(h);
+    const Offset u = place.corner[exit], v = place.corner[(exit + 1) % 3];
+    if (is_short(t.chord(h), u)) {
+      return false;
+    }
+    // Beyond by rounding only: the place is on the edge, and either face will do.
+    if (worst > -1e-14 * t.chord(h)) {
+      return true;
+    }
+    const auto j = static_cast<std::size_t>(twin.id % 3);
+    place.face = twin.face();
+    place.corner[j] = v;
+    place.corner[(j + 1) % 3] = u;
+    place.corner[(j + 2) % 3] = t.develop(h, u, v);
+  }
+  throw NumericalError("the walk to a site's new place did not end");
+}
+
+}  // namespace
 
 UniformSurface::UniformSurface(Space space, Connectivity connectivity, std::vector<double> chord)
     : space_(space), connectivity_(std::move(connectivity)), chord_(std::move(chord)) {
@@ -124,38 +182,27 @@ SurfacePoint point_of(const Place& place) {
 
 void move_place(const UniformSurface& t, Place& place, const Offset& to) {
   const Space s = t.space();
-  for (Offset& c : place.corner) {
-    c = on_quadric(s, transvect_back(s, to, c));
-  }
-  const std::size_t limit = 100 + 3 * t.connectivity().face_count();
-  for (std::size_t step = 0; step < limit; ++step) {
-    // Leave across the side that the origin is farthest beyond.
-    std::size_t exit = 3;
-    double worst = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Offset &u = place.corner[i], &v = place.corner[(i + 1) % 3];
-      const double inside = cross(u, v) / std::sqrt(chord2(s, u, v));
-      if (inside < worst) {
-        worst = inside, exit = i;
-      }
+  Offset rest = to, step = to;
+  for (int tries = 0;; ++tries) {
+    const bool last = tries == most_tries;
+    if (last) {
+      step = rest;
     }
-    if (exit == 3) {
+    Place there = place;
+    for (Offset& c : there.corner) {
+      c = on_quadric(s, transvect_back(s, step, c));
+    }
+    if (!walk_to_origin(t, there, last ? 0 : least_edge)) {
+      step = half_way(s, step);
+      continue;
+    }
+    place = there;
+    if (step.h == rest.h) {
       return;
     }
-    const Halfedge h = halfedges(place.face)[exit];
-    const Halfedge twin = t.connectivity().twin(h);
-    const Offset u = place.corner[exit], v = place.corner[(exit + 1) % 3];
-    // Beyond by rounding only: the place is on the edge, and either face will do.
-    if (worst > -1e-14 * t.chord(h)) {
-      return;
-    }
-    const auto j = static_cast<std::size_t>(twin.id % 3);
-    place.face = twin.face();
-    place.corner[j] = v;
-    place.corner[(j + 1) % 3] = u;
-    place.corner[(j + 2) % 3] = t.develop(h, u, v);
+    rest = on_quadric(s, transvect_back(s, step, rest));
+    step = rest;
   }
-  throw NumericalError("the walk to a site's new place did not end");
 }
 
 }  // namespace ucvt

@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+
 #include "run_program.h"
 
 namespace ucvt::test {
@@ -21,19 +23,35 @@ TEST(Outputs, AreTriedBeforeTheInputIsRead) {
 }
 
 TEST(Outputs, ThatCannotBeWrittenLeaveNothing) {
-  if (::geteuid() == 0) {
-    GTEST_SKIP() << "root may write everywhere";
-  }
   const TemporaryFolder folder;
   const std::string input = torus_file(folder);
-  const std::string locked = folder.file("locked");
-  std::filesystem::create_directory(locked);
-  std::filesystem::permissions(locked, std::filesystem::perms::owner_exec);
+  std::string where = folder.file("locked"), why = "Permission denied";
+  std::filesystem::create_directory(where);
+  std::filesystem::permissions(where, std::filesystem::perms::owner_exec);
+  if (::geteuid() == 0) {  // who may write everywhere but in a file
+    where = input, why = "Not a directory";
+  }
   const Outcome outcome =
-      run({"remesh", input, "-n", "9", "--tolerance", "0.01", "-o", locked + "/a.off"});
-  std::filesystem::permissions(locked, std::filesystem::perms::owner_all);
+      run({"remesh", input, "-n", "9", "--tolerance", "0.01", "-o", where + "/a.off"});
+  std::filesystem::permissions(folder.file("locked"), std::filesystem::perms::owner_all);
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_HAS(only_line(outcome.err), "Permission denied");
+  EXPECT_HAS(only_line(outcome.err), why);
+  EXPECT_EQ(folder.entries(), 2U);  // torus and directory
+}
+
+TEST(Outputs, LargerThanTheLimitOnFilesLeaveNothing) {
+  const TemporaryFolder folder;
+  const std::string input = torus_file(folder), output = folder.file("o.off");
+  rlimit before = {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small = {4096, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const Outcome outcome = run({"remesh", input, "-n", "400", "--tolerance", "0.01", "-o", output,
+                               "--surface", folder.file("t.ply"), "--quiet"});
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_HAS(only_line(outcome.err), "File too large");
+  EXPECT_EQ(folder.entries(), 1U);  // the torus
 }
 
 TEST(Outputs, StandardStreamsAreFiles) {

@@ -184,6 +184,14 @@ TEST(IntrinsicTriangulation, DegenerateFacesGetRoomAndNothingElseIsTouched) {
   EXPECT_THROW(intrinsic_triangulation(mesh), InvalidInput);
 }
 
+TEST(IntrinsicTriangulation, RefusesASurfaceOnALine) {
+  TriangleMesh mesh = oracle::grid_torus(8, 6);
+  for (Position& p : mesh.positions) {
+    p = {p[0], p[0] / 2, 0.1};
+  }
+  EXPECT_THROW(intrinsic_triangulation(mesh), InvalidInput);
+}
+
 // ---- the log
 
 /// Random weights in random faces.

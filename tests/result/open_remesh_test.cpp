@@ -156,5 +156,13 @@ TEST(BoundarySites, AreSpreadAtTheSpacingThreeAtLeast) {
   }
 }
 
+TEST(OpenRemesh, ATriangleOfNoWidthEndsInAnError) {
+  // The plane that it is laid out in overflows.
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 2, 3}, {-1, -2, -3 + 1e-11}}, {{0, 1, 2}}};
+  RemeshOptions options;
+  options.sites = 20;
+  EXPECT_THROW(remesh(open_surface(mesh), options), NumericalError);
+}
+
 }  // namespace
 }  // namespace ucvt

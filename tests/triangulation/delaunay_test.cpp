@@ -230,6 +230,25 @@ TEST_P(DelaunayTest, AgreesWithBruteForceOverCopies) {
   }
 }
 
+/// Of two vertices close together the cell of a far one has both as neighbours, in directions that no
+/// move in the star may have: it is removed and inserted every time.
+TEST(Delaunay, ManyMovesFarFromTwoVerticesAtOnePlaceKeepTheirEnds) {
+  const UniformSurface& t = oracle::surface_of(-1);
+  DelaunayTriangulation d = oracle::delaunay_of(t);
+  d.insert(vertex(0), {{1e-12, 0, 5e-25}, {}});
+  for (std::size_t v = 4; v < t.connectivity().vertex_count(); ++v) {
+    d.remove(vertex(v));
+  }
+  const Offset there = from_chord(t.space(), 1e-3, 0.6, 0.8);
+  for (int i = 0; i < 60; ++i) {
+    for (std::size_t v = 1; v < 4; ++v) {
+      d.move(vertex(v), i % 2 == 0 ? there : Offset{-there.x, -there.y, there.h});
+      d.make_delaunay();
+    }
+  }
+  EXPECT_LT(worst_disagreement(d), 1e-7);
+}
+
 INSTANTIATE_TEST_SUITE_P(Curvatures, DelaunayTest, testing::Values(1.0, 0.0, -1.0));
 
 // Runs in a process of its own with an alarm: removal once flipped for ever.

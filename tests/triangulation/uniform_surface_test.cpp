@@ -182,6 +182,40 @@ TEST(UniformSurface, WalkingALatticeVectorOfTheFlatTorusIsTheIdentity) {
   }
 }
 
+TEST(UniformSurface, WalksOutOfFacesThatRoundingCannotTellFromAPoint) {
+  const UniformSurface t =
+      uniformize_surface(oracle::closed(oracle::finger(4, 0.1, 10)), {}).surface;
+  const auto longest = [&](Face f) {
+    const auto side = halfedges(f);
+    return std::max({t.chord(side[0]), t.chord(side[1]), t.chord(side[2])});
+  };
+  Face smallest{0};
+  for (std::size_t f = 0; f < t.connectivity().face_count(); ++f) {
+    const Face face{static_cast<std::int32_t>(f)};
+    smallest = longest(face) < longest(smallest) ? face : smallest;
+  }
+  ASSERT_LT(longest(smallest), 1e-16);
+  const Space s = t.space();
+  for (const double angle : {0.3, 1.7, 4.0}) {
+    Place once = place_of(t, {smallest, {0.3, 0.3, 0.4}}), steps = once;
+    const auto away = [&](double length) {
+      return from_chord(s, chord_of_length(s, length), std::cos(angle), std::sin(angle));
+    };
+    move_place(t, once, away(0.8));
+    double moved = 0;
+    for (double step = 1e-20; moved < 0.8; step *= 2) {
+      const double part = std::min(step, 0.8 - moved);
+      move_place(t, steps, away(part));
+      moved += part;
+    }
+    ASSERT_EQ(once.face, steps.face);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LT(distance(once.corner[i], steps.corner[i]), 1e-8);
+      EXPECT_GT(cross(once.corner[i], once.corner[(i + 1) % 3]), 0);
+    }
+  }
+}
+
 TEST(UniformSurface, RefusesAFaceThatIsNoTriangle) {
   const TriangleMesh mesh = oracle::tetrahedron();
   const Connectivity c(mesh.positions.size(), mesh.faces);
