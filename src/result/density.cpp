@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -19,14 +20,17 @@ constexpr int mean_rings = 2;
 std::vector<double> conformal_factor(const Uniformized& t) {
   const Connectivity& c = t.surface.connectivity();
   const std::size_t n = c.vertex_count();
-  // The area round each vertex on T, times exp(-2 u): about that on the input.
-  std::vector<double> scaled(n);
+  std::vector<double> area(n);
   for (std::size_t f = 0; f < c.face_count(); ++f) {
     const Face face{static_cast<std::int32_t>(f)};
     for (const Halfedge h : halfedges(face)) {
-      const std::size_t v = c.origin(h).index();
-      scaled[v] += t.surface.area(face) / 3 * std::exp(-2 * t.log_scale[v]);
+      area[c.origin(h).index()] += t.surface.area(face) / 3;
     }
+  }
+  std::vector<double> out(n), scaled(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    out[v] = std::exp(-2 * t.log_scale[v]);
+    scaled[v] = area[v] * out[v];
   }
   std::vector<double> on_input = t.vertex_area_3d;
   const auto spread = [&](std::vector<double>& x) {
@@ -41,9 +45,14 @@ std::vector<double> conformal_factor(const Uniformized& t) {
     spread(on_input);
     spread(scaled);
   }
-  std::vector<double> out(n);
+  double total = 0;
   for (std::size_t v = 0; v < n; ++v) {
-    out[v] = std::exp(-2 * t.log_scale[v]) * on_input[v] / scaled[v];
+    out[v] *= on_input[v] / scaled[v];
+    total += out[v] * area[v];
+  }
+  const double whole = std::accumulate(t.vertex_area_3d.begin(), t.vertex_area_3d.end(), 0.0);
+  for (double& factor : out) {
+    factor *= whole / total;
   }
   return out;
 }

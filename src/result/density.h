@@ -8,8 +8,9 @@
 namespace ucvt {
 
 /// The conformal factor at every vertex of T, area on the input over area on T (the paper's section
-/// 6.2): exp(-2 u), corrected by areas over two rings. Stars alone would not do: those on the input and
-/// on T are of different triangulations (docs/optimisation.md).
+/// 6.2): exp(-2 u), corrected by areas over two rings, and such that the whole area is right. Stars
+/// alone would not do: those on the input and on T are of different triangulations
+/// (docs/optimisation.md).
 std::vector<double> conformal_factor(const Uniformized& t);
 
 /// rho = cf^2/size^4 (the paper's equation 12) for cells whose size on the input is `size` at every
