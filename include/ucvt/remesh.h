@@ -27,7 +27,7 @@ enum class Method : char { Lbfgs, Lloyd };
 /// How far a run had come at a restart point: what going on from its sites needs to know.
 struct RunProgress {
   int sites = 0;           ///< that were asked for
-  int levels_left = 0;     ///< of a multilevel start
+  int levels_left = 0;     ///< of a multilevel start, or rounds of evening sizes
   int round = 0;           ///< of making room for a simplicial dual mesh
   bool closing = false;    ///< the round has made room and ends with a full optimisation
   int evaluations = 0;     ///< done in the current optimisation

@@ -143,7 +143,8 @@ class Optimizer {
 
   /// Far from a minimum springs are not what the Hessian is.
   void update_stiffness(const Evaluation& now) {
-    if ((stiffness_ && ++stiffness_age_ < stiffness_steps) || now.max_move > stiffness_move) {
+    if (!options_.springs || now.max_move > stiffness_move ||
+        (stiffness_ && ++stiffness_age_ < stiffness_steps)) {
       return;
     }
     stiffness_age_ = 0;

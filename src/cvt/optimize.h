@@ -49,6 +49,8 @@ struct OptimizeOptions {
   Method method = Method::Lbfgs;
   int evaluations = 1000;   ///< of all cells, at most, after that of the sites as they are
   double tolerance = 1e-4;  ///< of the largest move to a centroid, relative to the spacing
+  bool springs = true;  ///< of L-BFGS: that they are used; they are not worth it where the density
+                        ///< changes by powers from one end of a cell to the other
 };
 
 struct OptimizeResult {

@@ -30,6 +30,9 @@ class SurfaceCells {
   [[nodiscard]] std::vector<Moments> moments(const SurfaceMass& mass,
                                              const std::vector<Place>& places) const;
 
+  /// The site whose cell a vertex of T lies in.
+  [[nodiscard]] Vertex owner(Vertex of_t) const { return lifts_.owner[of_t.index()]; }
+
  private:
   class Sweep;
   /// Hands the vertex on to nearer neighbours until there is none.

@@ -33,6 +33,9 @@ class Tessellation : public SiteSystem {
   }
   [[nodiscard]] std::vector<Moments> cell_moments() const { return cell_moments(mass_); }
 
+  /// The site whose cell a vertex of T lies in.
+  [[nodiscard]] Vertex owner(Vertex of_t) const { return cells_.owner(of_t); }
+
   void measure(std::vector<CellState>& out) const override;
   /// Moves the sites and restores Delaunay.
   void move(const std::vector<Offset>& target) override;

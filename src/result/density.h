@@ -7,12 +7,15 @@
 
 namespace ucvt {
 
-/// The conformal factor at every vertex of T: area of its star on the input over area on T (the
-/// paper's section 6.2).
+/// The conformal factor at every vertex of T, area on the input over area on T (the paper's section
+/// 6.2): exp(-2 u), corrected by areas over two rings, and such that the whole area is right. Stars
+/// alone would not do: those on the input and on T are of different triangulations
+/// (docs/optimisation.md).
 std::vector<double> conformal_factor(const Uniformized& t);
 
-/// rho = cf^2/size^4 (the paper's equation 12), scaled so that its largest value is 1, for cells
-/// whose size on the input is `size` at every vertex of T.
+/// rho = cf^2/size^4 (the paper's equation 12) for cells whose size on the input is `size` at every
+/// vertex of T. Scaled such that its largest value times its smallest is 1: log scales that span up to
+/// 300 stay in the range of doubles.
 std::vector<double> sizing_density(const std::vector<double>& conformal_factor,
                                    const std::vector<double>& size);
 

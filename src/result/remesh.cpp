@@ -18,6 +18,7 @@
 #include "result/cell_complex.h"
 #include "result/density.h"
 #include "result/dual_mesh.h"
+#include "result/even_sizes.h"
 #include "result/site_points.h"
 #include "ucvt/error.h"
 
@@ -46,9 +47,11 @@ constexpr double level_tolerance = 3e-3;
 /// are made anew from the sites alone, whether anyone asks for a checkpoint or not.
 constexpr int leg_evaluations = 100;
 
-/// Log scales that span more start from random sites: the few cells of a coarse level are ruled by
-/// their far dense ends there, and leave limbs without sites.
-constexpr double multilevel_span = 10;
+/// Log scales that span more make a surface steep. A multilevel start would leave limbs without sites
+/// there, the few cells of a coarse level being ruled by their far dense ends: sites start far apart, and
+/// sizes are evened so many times, after so many evaluations each.
+constexpr double steep_span = 10;
+constexpr int evenings = 8, evening_evaluations = 40;
 
 /// Draws of random initial sites before giving up.
 constexpr int max_draws = 200;
@@ -114,21 +117,30 @@ class Remesher {
     return std::abs(sites.delaunay().area() - wanted) < 1e-6 * wanted;
   }
 
-  void place_initial_sites() {
-    const bool given = !options_.initial_sites.empty();
+  [[nodiscard]] bool is_steep() const {
     const UniformizationReport& u = surface_.report();
-    const bool steep = u.log_scale_max - u.log_scale_min > multilevel_span;
-    if (!given && options_.init == InitialSites::Multilevel && !steep) {
+    return u.log_scale_max - u.log_scale_min > steep_span;
+  }
+
+  void place_initial_sites() {
+    const auto n = static_cast<std::size_t>(options_.sites);
+    if (!options_.initial_sites.empty()) {
+      place(as_points(options_.initial_sites, t_.surface.connectivity().face_count()));
+      return;
+    }
+    const bool multilevel = options_.init == InitialSites::Multilevel;
+    at_.levels_left = is_steep() ? evenings : 0;
+    if (multilevel && !is_steep()) {
       // A small CVT from random sites, then from level to level sites at the middles of all edges of
       // D, as many as lead to the number asked for: its few defects are all there are in the end.
       const LevelPlan plan = plan_levels(options_.sites, t_.surface.connectivity().euler_number());
       at_.levels_left = plan.levels;
       place_random_sites(plan.coarsest);
-    } else if (!given && options_.init != InitialSites::Farthest) {
-      place_random_sites(options_.sites);
+    } else if (options_.init == InitialSites::Farthest ||
+               (multilevel && n <= t_.surface.connectivity().vertex_count())) {
+      place(far_apart_sites());
     } else {
-      place(given ? as_points(options_.initial_sites, t_.surface.connectivity().face_count())
-                  : far_apart_sites());
+      place_random_sites(options_.sites);
     }
   }
 
@@ -172,6 +184,30 @@ class Remesher {
     return farthest_sites(t_.surface, length, n, options_.seed);
   }
 
+  /// What follows on a level of the start.
+  void next_level() {
+    if (is_steep()) {
+      even_out();
+    } else {
+      split_longest_edges();
+      if (at_.levels_left == 0) {
+        restart();  // the levels before are short
+      }
+    }
+  }
+
+  /// Sizes that make up for uneven cells. Where doubles do not suffice to build D anew they stay.
+  void even_out() {
+    const std::vector<SurfacePoint> points = sites_->sites();
+    std::vector<double> size = size_;
+    even_sizes(*sites_, SurfaceMass(t_.surface, factor_), size);
+    auto mass = std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size));
+    if (auto anew = built_anew(*mass, points)) {
+      sites_ = std::move(anew), mass_ = std::move(mass), size_ = std::move(size);
+      offer_checkpoint(points);
+    }
+  }
+
   void split_longest_edges() {
     sites_->split_edges(
         longest_edges(*sites_, static_cast<std::size_t>(options_.sites) - sites_->site_count()));
@@ -193,13 +229,14 @@ class Remesher {
 
   /// Limits of the current optimisation.
   [[nodiscard]] OptimizeOptions limits() const {
+    OptimizeOptions out{options_.method, options_.iterations, options_.tolerance, !is_steep()};
     if (at_.levels_left > 0) {
-      return {options_.method, level_evaluations, level_tolerance};
+      out.evaluations = is_steep() ? evening_evaluations : level_evaluations;
+      out.tolerance = level_tolerance;
+    } else if (at_.round > 0 && !at_.closing) {
+      out.evaluations = std::min(round_iterations, options_.iterations);
     }
-    const bool short_round = at_.round > 0 && !at_.closing;
-    return {options_.method,
-            short_round ? std::min(round_iterations, options_.iterations) : options_.iterations,
-            options_.tolerance};
+    return out;
   }
 
   /// From one restart point to the next; false when the run is at its end.
@@ -218,8 +255,8 @@ class Remesher {
   /// Sets out for what follows on an optimisation; false when nothing does.
   bool next_optimisation() {
     if (at_.levels_left > 0) {
-      split_longest_edges();
       --at_.levels_left;
+      next_level();
       return true;
     }
     if (at_.round > 0 && !at_.closing && edges_not_simplicial(sites_->delaunay()).empty()) {
@@ -234,22 +271,27 @@ class Remesher {
     return true;
   }
 
+  /// Null where doubles do not suffice.
+  [[nodiscard]] std::unique_ptr<Tessellation> built_anew(
+      const SurfaceMass& mass, const std::vector<SurfacePoint>& points) const {
+    try {
+      auto anew = std::make_unique<Tessellation>(mass, points);
+      return covers_surface(*anew) ? std::move(anew) : nullptr;
+    } catch (const InvalidInput&) {
+      return nullptr;
+    } catch (const NumericalError&) {
+      return nullptr;
+    }
+  }
+
   /// Makes D, cells and frames anew from the sites alone. Where doubles do not suffice for that the
   /// run goes on as it is.
   void restart() {
     const std::vector<SurfacePoint> points = sites_->sites();
-    try {
-      auto anew = std::make_unique<Tessellation>(*mass_, points);
-      if (!covers_surface(*anew)) {
-        return;
-      }
+    if (auto anew = built_anew(*mass_, points)) {
       sites_ = std::move(anew);
-    } catch (const InvalidInput&) {
-      return;
-    } catch (const NumericalError&) {
-      return;
+      offer_checkpoint(points);
     }
-    offer_checkpoint(points);
   }
 
   void offer_checkpoint(const std::vector<SurfacePoint>& points) {

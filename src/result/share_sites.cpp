@@ -38,7 +38,7 @@ std::int64_t sum(const std::vector<int>& numbers) {
 std::vector<double> shares_of_area(const std::vector<Component>& components) {
   std::vector<double> out;
   for (const Component& c : components) {
-    out.push_back(surface_area(c.surface.mesh));
+    out.push_back(survey(c.surface.mesh).area);
   }
   const double total = std::accumulate(out.begin(), out.end(), 0.0);
   for (double& a : out) {

@@ -42,6 +42,9 @@ constexpr double strict_bounds = 1.0 / 20;
 
 constexpr int max_depth = 40;
 
+/// Outside of these the fourth power of a chord is out of the range of doubles.
+constexpr double tiny_chord = 1e-60, huge_chord = 1e60;
+
 /// Four nodes of a rule.
 struct LaneNodes {
   Lanes b0, b1, b2, weight;
@@ -176,6 +179,11 @@ struct Piece {
 double triangle_determinant(Space s, const std::array<double, 3>& chord) {
   std::array<double, 3> c = chord;
   std::sort(c.begin(), c.end(), std::greater<>());
+  if ((c[0] > 0 && c[0] < tiny_chord) || (s.kappa == 0 && c[0] > huge_chord)) {
+    // So small a triangle is flat in every space.
+    const double unit = triangle_determinant({0}, {1, c[1] / c[0], c[2] / c[0]});
+    return unit * c[0] * c[0];
+  }
   // 16 Area^2 of the chord triangle; the order of the operations matters (Kahan 2014).
   const double heron = (c[0] + (c[1] + c[2])) * (c[2] - (c[0] - c[1])) * (c[2] + (c[0] - c[1])) *
                        (c[0] + (c[1] - c[2]));

@@ -89,8 +89,9 @@ struct Rotation {
 
 /// The rotation that turns the direction of `from` into that of `to`. Requires both off the origin.
 inline Rotation rotation_between(const Offset& from, const Offset& to) {
-  const double c = from.x * to.x + from.y * to.y, s = cross(from, to);
-  const double norm = std::sqrt(c * c + s * s);
+  const double c = from.x * to.x + from.y * to.y, s = cross(from, to), norm2 = c * c + s * s;
+  // Of tiny offsets the fourth power is below the range of doubles.
+  const double norm = norm2 > 1e-290 ? std::sqrt(norm2) : std::hypot(c, s);
   return {c / norm, s / norm};
 }
 

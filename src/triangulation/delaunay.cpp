@@ -30,6 +30,10 @@ constexpr int max_nudges = 8;
 /// hemisphere, which geodesic triangles cannot cover.
 constexpr std::size_t least_on_sphere = 12;
 
+/// Offsets shorter than this are made longer where their fourth power counts, which would be below the
+/// range of doubles; the range is that of log scales that span 340.
+constexpr double tiny_radius = 1e-70, tiny_h = tiny_radius * tiny_radius / 2;
+
 double radius(const Offset& p) {
   return std::sqrt(p.x * p.x + p.y * p.y);
 }
@@ -42,8 +46,13 @@ double sine_between(const Offset& p, const Offset& q) {
 }  // namespace
 
 bool DelaunayTriangulation::is_delaunay(Halfedge h) const {
-  const Offset &a = offset(h), &b = offset(connectivity_.rotate(h)),
-               &d = offset(connectivity_.twin(h).next());
+  Offset a = offset(h), b = offset(connectivity_.rotate(h)),
+         d = offset(connectivity_.twin(h).next());
+  if (a.h < tiny_h) {
+    for (Offset* p : {&a, &b, &d}) {
+      *p = {p->x / tiny_radius, p->y / tiny_radius, p->h / tiny_radius / tiny_radius};
+    }
+  }
   const double det = in_circle(a, b, d);
   if (det >= 0) {
     return true;

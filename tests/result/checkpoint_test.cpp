@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oracle/limbs.h"
 #include "oracle/meshes.h"
 #include "ucvt/error.h"
 #include "ucvt/remesh.h"
@@ -64,7 +65,13 @@ void expect_resumable(const ClosedSurface& surface, const RemeshOptions& options
 TEST(Checkpoint, LevelsAndLegsGoOnToTheSameBits) {
   RemeshOptions options;
   options.sites = 700, options.tolerance = 1e-8, options.iterations = 250;
-  expect_resumable(oracle::closed(oracle::bumpy(oracle::icosphere(2), 0.05, 3)), options, 3);
+  expect_resumable(oracle::closed(oracle::bumpy(oracle::icosphere(2), 0.05, 3)), options, 2);
+}
+
+TEST(Checkpoint, EvenedSizesGoOnToTheSameBits) {
+  RemeshOptions options;
+  options.sites = 100, options.iterations = 40;
+  expect_resumable(oracle::closed(oracle::capped_cylinder(4, 8)), options, 8);
 }
 
 TEST(Checkpoint, LloydGoesOnToTheSameBits) {
