@@ -208,9 +208,12 @@ class Remesher {
     }
   }
 
+  /// Leaves out the edges that would lead to too many sites, some on every level.
   void split_longest_edges() {
-    sites_->split_edges(
-        longest_edges(*sites_, static_cast<std::size_t>(options_.sites) - sites_->site_count()));
+    const int next =
+        sites_on_level(options_.sites, t_.surface.connectivity().euler_number(), at_.levels_left);
+    const auto room = static_cast<std::size_t>(next) - sites_->site_count();
+    sites_->split_edges(longest_edges(sites_->delaunay(), room));
   }
 
   /// The state that a checkpoint holds.
