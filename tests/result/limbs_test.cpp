@@ -63,8 +63,8 @@ TEST(Limbs, AreUniformizedWhereChordsSpanMoreThanDoublesSquared) {
 
 TEST(Limbs, TheConformalFactorIsSmoothOnARegularGrid) {
   // Diagonals of its squares are arbitrary, on the input and on T each in their own way.
-  const Uniformized t =
-      uniformize_surface(oracle::closed(oracle::capped_cylinder(10, 12)), UniformizeOptions{});
+  const Uniformized t = uniformize_surface(oracle::closed(oracle::capped_cylinder(10, 12)),
+                                           UniformizeOptions{0.07, {}});
   const std::vector<double> factor = conformal_factor(t);
   const Connectivity& c = t.surface.connectivity();
   double square = 0;
@@ -77,7 +77,7 @@ TEST(Limbs, TheConformalFactorIsSmoothOnARegularGrid) {
     });
     square += std::pow(std::log(factor[v]) - around / degree, 2);
   }
-  EXPECT_LT(std::sqrt(square / static_cast<double>(factor.size())), 0.2);
+  EXPECT_LT(std::sqrt(square / static_cast<double>(factor.size())), 0.12);
 }
 
 TEST(Limbs, CellsOfACylinderAreEven) {

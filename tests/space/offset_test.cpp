@@ -269,5 +269,14 @@ RC_GTEST_PROP(Offset, ThePlaneIsTheLimitOfSmallCurvature, ()) {
   }
 }
 
+TEST(Offset, RotationsOfOffsetsThatHaveNoFourthPower) {
+  for (const double scale : {1.0, 1e-60, 1e-83, 1e-140}) {
+    const Offset from{3 * scale, 4 * scale, 0}, to{-4 * scale, 3 * scale, 0};
+    const Rotation r = rotation_between(from, to);
+    EXPECT_NEAR(r.cosine, 0, 1e-15) << scale;
+    EXPECT_NEAR(r.sine, 1, 1e-15) << scale;
+  }
+}
+
 }  // namespace
 }  // namespace ucvt

@@ -283,5 +283,25 @@ TEST(Delaunay, TheLastVertexOfATorusGoesOnlyAsFarAsItsStar) {
   EXPECT_NEAR(d.area(), area, 1e-12);
 }
 
+TEST(Delaunay, FlipsOfOffsetsThatHaveNoFourthPower) {
+  // All lengths times 2^-280, about 1e-84: nothing else changes.
+  const UniformSurface t = oracle::flat_torus(5, 4, 0.9);
+  const double scale = std::ldexp(1.0, -280);
+  std::vector<Offset> frames = t.vertex_frames(), tiny;
+  for (const Offset& p : frames) {
+    tiny.push_back({p.x * scale, p.y * scale, p.h * scale * scale});
+  }
+  DelaunayTriangulation d(t.space(), t.connectivity(), std::move(frames));
+  DelaunayTriangulation small(t.space(), t.connectivity(), std::move(tiny));
+  const std::int64_t flips = d.make_delaunay();
+  EXPECT_GT(flips, 0);
+  EXPECT_EQ(small.make_delaunay(), flips);
+  for (std::size_t i = 0; i < d.connectivity().halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    EXPECT_NEAR(small.offset(h).x / scale, d.offset(h).x, 1e-14);
+    EXPECT_NEAR(small.offset(h).y / scale, d.offset(h).y, 1e-14);
+  }
+}
+
 }  // namespace
 }  // namespace ucvt
