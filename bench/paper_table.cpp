@@ -64,7 +64,7 @@ ucvt::RemeshOptions lloyd_options(int sites, int iterations) {
   ucvt::RemeshOptions out;
   out.sites = sites, out.iterations = iterations, out.refine_for = sites;
   out.init = ucvt::InitialSites::Random, out.method = ucvt::Method::Lloyd;
-  out.tolerance = 0, out.threads = 1, out.ensure_simplicial = false;
+  out.tolerance = 1e-300, out.threads = 1, out.ensure_simplicial = false;
   return out;
 }
 

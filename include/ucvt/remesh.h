@@ -27,7 +27,7 @@ enum class Method : char { Lbfgs, Lloyd };
 /// How far a run had come at a restart point: what going on from its sites needs to know.
 struct RunProgress {
   int sites = 0;           ///< that were asked for
-  int levels_left = 0;     ///< of a multilevel start, or rounds of evening sizes
+  int evenings_left = 0;   ///< rounds of evening sizes, on steep surfaces
   int round = 0;           ///< of making room for a simplicial dual mesh
   bool closing = false;    ///< the round has made room and ends with a full optimisation
   int evaluations = 0;     ///< done in the current optimisation
@@ -59,8 +59,10 @@ struct RemeshOptions {
   /// When given: `initial_sites`, `refine_for` and `initial_size` are of a run that came so far. With
   /// the surface and the other options of that run the result is the same to the bit as its own.
   std::optional<RunProgress> progress = std::nullopt;
-  int iterations = 1000;    ///< evaluations of all cells, at most, after the initial state
-  double tolerance = 1e-3;  ///< of the largest move, relative to the site's spacing
+  int iterations = 1000;  ///< evaluations of all cells, at most, after the initial state
+  /// Of the largest move, relative to the site's spacing. 0: 1e-3, or the end of L-BFGS where ten steps
+  /// lower the energy by less than 1e-4 of it.
+  double tolerance = 0;
   bool ensure_simplicial =
       true;         ///< make room for a simplicial dual mesh, with a few more sites if need be
   int threads = 0;  ///< 0: all cores; results do not depend on it

@@ -100,7 +100,8 @@ StopFlags add_stop(CLI::App& app, int& iterations, double& tolerance) {
       app, "--tolerance", tolerance, [](double e) { return e > 0 && std::isfinite(e); },
       "a number above 0",
       fmt::format("stop when no site moves by more than EPS of its spacing (default {})",
-                  tolerance));
+                  tolerance > 0 ? fmt::to_string(tolerance)
+                                : "0.001, or when the energy hardly falls any more"));
   flags.tolerance->type_name("EPS");
   return flags;
 }

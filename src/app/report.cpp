@@ -186,9 +186,10 @@ double energy_over_hexagonal(const SpaceResult& result) {
 
 std::string not_converged(const CvtReport& cvt, double tolerance) {
   const std::string move =
-      cvt.max_move.empty()
-          ? ""
-          : fmt::format(" (largest move {:.2g}, tolerance {:.2g})", cvt.max_move.back(), tolerance);
+      cvt.max_move.empty() ? ""
+      : tolerance > 0
+          ? fmt::format(" (largest move {:.2g}, tolerance {:.2g})", cvt.max_move.back(), tolerance)
+          : fmt::format(" (largest move {:.2g})", cvt.max_move.back());
   return fmt::format(
       "did not converge in {} iteration{}{}; the sites are written as they are, --iterations "
       "allows "

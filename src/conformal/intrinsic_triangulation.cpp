@@ -176,12 +176,19 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
   const auto wanted = [&](Halfedge h) {
     return (size[t.connectivity.origin(h).index()] + size[t.connectivity.head(h).index()]) / 2;
   };
-  using Entry = std::pair<double, std::int32_t>;
+  struct Entry {
+    int octave;  ///< of the length
+    std::int32_t id;
+    double log_length;
+    bool operator<(const Entry& other) const {
+      return octave != other.octave ? octave < other.octave : id > other.id;
+    }
+  };
   std::priority_queue<Entry> queue;
   const auto push = [&](Halfedge h) {
     const double l = t.log_length[h.index()];
     if (l > std::log(wanted(h))) {
-      queue.push({l, h.id});
+      queue.push({static_cast<int>(std::floor(l / std::numbers::ln2)), h.id, l});
     }
   };
   for (std::size_t i = 0; i < t.connectivity.halfedge_count(); ++i) {
@@ -191,7 +198,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     }
   }
   while (!queue.empty()) {
-    const auto [l, id] = queue.top();
+    const auto [octave, id, l] = queue.top();
     queue.pop();
     const Halfedge h{id};
     if (t.log_length[h.index()] != l) {

@@ -102,6 +102,12 @@ double miss(const UniformSurface& t, const DelaunayTriangulation& d,
   return distance_to(t, place, target) / std::sqrt(2 * d.offset(along).h);
 }
 
+/// Difference of the lengths that an edge's two ends see.
+double disagreement(const DelaunayTriangulation& d, Halfedge h) {
+  const double here = std::sqrt(2 * d.offset(h).h);
+  return std::abs(here - std::sqrt(2 * d.offset(d.connectivity().twin(h)).h)) / here;
+}
+
 }  // namespace
 
 Consistency measure_consistency(const UniformSurface& t, const DelaunayTriangulation& d,
@@ -114,7 +120,7 @@ Consistency measure_consistency(const UniformSurface& t, const DelaunayTriangula
     const Halfedge h{static_cast<std::int32_t>(i)};
     if (d.connectivity().is_canonical(h)) {
       out.circle = std::max(out.circle, depth_in_circle(d, h));
-      out.place = std::max(out.place, miss(t, d, places, h));
+      out.place = std::max({out.place, miss(t, d, places, h), disagreement(d, h)});
     }
   }
   return out;

@@ -30,6 +30,9 @@ constexpr double farthest = 1 - 1e-6;
 constexpr int stiffness_steps = 20;
 constexpr double stiffness_move = 0.25;
 
+/// Steps over which the energy has to fall.
+constexpr std::size_t stagnation_steps = 10;
+
 /// Relative rounding of an energy: smaller differences tell nothing.
 constexpr double energy_rounding = 1e-14;
 
@@ -80,7 +83,7 @@ class Optimizer {
     while (true) {
       out_.energy.push_back(now.energy);
       out_.max_move.push_back(now.max_move);
-      out_.converged = now.max_move <= options_.tolerance;
+      out_.converged = now.max_move <= options_.tolerance || stagnates();
       if (out_.converged || out_.evaluations >= options_.evaluations) {
         break;
       }
@@ -102,6 +105,13 @@ class Optimizer {
     Vectors step, change;
     double curvature = 0;  ///< step . change
   };
+
+  /// True when the energy has hardly fallen over the last steps.
+  [[nodiscard]] bool stagnates() const {
+    const std::vector<double>& e = out_.energy;
+    return options_.least_decrease > 0 && e.size() > stagnation_steps &&
+           e[e.size() - 1 - stagnation_steps] - e.back() < options_.least_decrease * e.back();
+  }
 
   Evaluation evaluate() {
     ++out_.evaluations;
@@ -273,6 +283,15 @@ Offset centroid_or_site(Space s, const Moments& m) {
   }
   const double along = m.m - s.kappa * m.h;
   return s.kappa < 0 ? at(s, {m.x / along, m.y / along}) : centroid_anywhere(s, m);
+}
+
+OptimizeOptions until_converged(const RemeshOptions& options) {
+  OptimizeOptions out{options.method, options.iterations, options.tolerance};
+  if (options.tolerance <= 0) {
+    out.tolerance = 1e-3;
+    out.least_decrease = options.method == Method::Lbfgs ? 1e-4 : 0;
+  }
+  return out;
 }
 
 OptimizeResult optimize(SiteSystem& sites, const OptimizeOptions& options, const Monitor& monitor) {

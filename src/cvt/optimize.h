@@ -49,9 +49,14 @@ struct OptimizeOptions {
   Method method = Method::Lbfgs;
   int evaluations = 1000;   ///< of all cells, at most, after that of the sites as they are
   double tolerance = 1e-4;  ///< of the largest move to a centroid, relative to the spacing
+  double least_decrease =
+      0;                ///< part of the energy; the end as well when 10 steps lower it by less
   bool springs = true;  ///< of L-BFGS: that they are used; they are not worth it where the density
                         ///< changes by powers from one end of a cell to the other
 };
+
+/// The limits that a user's options set.
+OptimizeOptions until_converged(const RemeshOptions& options);
 
 struct OptimizeResult {
   bool converged = false;

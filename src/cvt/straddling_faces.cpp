@@ -64,9 +64,10 @@ std::optional<StraddlingFaces::Triangle> StraddlingFaces::corners_about(Face f,
   return out;
 }
 
-/// The same by developing T over the whole cell of corner 0's owner: for faces larger than cells.
-StraddlingFaces::Triangle StraddlingFaces::corners_by_walk(Face f) {
-  const Lift& at = lift_[0];
+/// The same by developing T over the owner's whole cell: for faces larger than cells. A face that
+/// touches the cell in a corner only may not be met there.
+std::optional<StraddlingFaces::Triangle> StraddlingFaces::corners_by_walk(Face f, std::size_t i) {
+  const Lift& at = lift_[i];
   if (!walk_) {
     walk_.emplace(t_);
   }
@@ -76,15 +77,12 @@ StraddlingFaces::Triangle StraddlingFaces::corners_by_walk(Face f) {
   const CellWalk::Developed* best = nullptr;
   double least = HUGE_VAL;
   for (const auto& d : walk_->faces(places_[at.owner.index()], neighbours_)) {
-    const double gap = d.place.face == f ? chord2(space_, d.place.corner[0], at.at) : HUGE_VAL;
+    const double gap = d.place.face == f ? chord2(space_, d.place.corner[i], at.at) : HUGE_VAL;
     if (gap < least) {
       least = gap, best = &d;
     }
   }
-  if (best == nullptr) {
-    throw NumericalError("a face of the surface was not met by the cell of its corner");
-  }
-  return best->place.corner;
+  return best == nullptr ? std::nullopt : std::optional(best->place.corner);
 }
 
 StraddlingFaces::Visit StraddlingFaces::first_visit(Face f) {
@@ -93,7 +91,12 @@ StraddlingFaces::Visit StraddlingFaces::first_visit(Face f) {
       return {lift_[i].owner, *corners};
     }
   }
-  return {lift_[0].owner, corners_by_walk(f)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (const auto corners = corners_by_walk(f, i)) {
+      return {lift_[i].owner, *corners};
+    }
+  }
+  throw NumericalError("a face of the surface was not met by the cells of its corners");
 }
 
 /// Cuts the face by all cells that meet it, from neighbour to neighbour; their parts go to points_.

@@ -50,7 +50,7 @@ class StraddlingFaces {
   [[nodiscard]] std::optional<Offset> other_end(Halfedge h, const Lift& from,
                                                 const Lift& other) const;
   [[nodiscard]] std::optional<Triangle> corners_about(Face f, std::size_t i) const;
-  [[nodiscard]] Triangle corners_by_walk(Face f);
+  [[nodiscard]] std::optional<Triangle> corners_by_walk(Face f, std::size_t i);
   [[nodiscard]] Visit first_visit(Face f);
   void visit_cells(Face f);
   [[nodiscard]] bool was_visited(Face f, Vertex site, const Offset& first) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -41,56 +40,53 @@ void check_distinct(const std::vector<SurfacePoint>& sites) {
   }
 }
 
+/// The site's face seen from the site, in the frame carried parallel from where `seen` is.
+Place place_from(const UniformSurface& t, Face face, const CornerView& seen) {
+  Place out{face, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.corner[i] = on_quadric(t.space(), transvect_back(t.space(), seen.at, seen.corner[i]));
+  }
+  return out;
+}
+
+/// Inserts the sites into T's own triangulation and removes T's vertices.
 DelaunayTriangulation triangulate(const UniformSurface& t, const std::vector<SurfacePoint>& sites,
-                                  std::vector<Place>& places) {
+                                  const ThinnedSurface* base, std::vector<Place>& places) {
   check_distinct(sites);
-  const Connectivity& c = t.connectivity();
-  const std::vector<Offset> frames = t.vertex_frames();
-  DelaunayTriangulation d(t.space(), c, frames);
+  const std::vector<Offset> own_frames = base ? std::vector<Offset>{} : t.vertex_frames();
+  const std::vector<Offset>& frames = base ? base->frames_of_t() : own_frames;
+  DelaunayTriangulation d =
+      base ? base->delaunay() : DelaunayTriangulation(t.space(), t.connectivity(), frames);
+  std::vector<Vertex> before(d.vertex_count());
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    before[v] = {static_cast<std::int32_t>(v)};
+  }
   places.clear();
   for (const SurfacePoint& site : sites) {
     const SurfacePoint p = off_the_edges(site);
-    const auto nearest =
-        static_cast<std::size_t>(std::max_element(p.bary.begin(), p.bary.end()) - p.bary.begin());
-    const Halfedge h = halfedges(p.face)[nearest];
-    std::array<Offset, 3> corner;
-    corner[nearest] = {};
-    corner[(nearest + 1) % 3] = frames[h.index()];
-    corner[(nearest + 2) % 3] = frames[c.rotate(h).index()];
-    const Offset at = point_in_frame(t, p, corner);
-    Place place{p.face, {}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      place.corner[i] = on_quadric(t.space(), transvect_back(t.space(), at, corner[i]));
+    const CornerView seen = seen_from_corner(t, frames, p);
+    places.push_back(place_from(t, p.face, seen));
+    if (!base) {
+      d.insert(seen.from, {seen.at, {}});
+      continue;
     }
-    places.push_back(place);
-    d.insert(c.origin(h), {at, {}});
+    // The site and the corner of its face that tells its frame's direction best, from farther off.
+    const auto far =
+        static_cast<std::size_t>(std::min_element(p.bary.begin(), p.bary.end()) - p.bary.begin());
+    std::array<Offset, 2> points{seen.at, seen.corner[far]};
+    const Vertex v = base->anchor(seen.from, points);
+    d.insert(v, placing(t.space(), places.back().corner[far], points[0], points[1]));
   }
-  // Smallest scale first: a vertex goes while its star is of its own scale still, and no star ever
-  // spans more scales than doubles can compare.
-  std::vector<double> nearest(c.vertex_count(), HUGE_VAL);
-  for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
-    const Halfedge h{static_cast<std::int32_t>(i)};
-    double& least = nearest[c.origin(h).index()];
-    least = std::min(least, t.chord(h));
-  }
-  std::vector<std::int32_t> order(nearest.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return nearest[static_cast<std::size_t>(a)] < nearest[static_cast<std::size_t>(b)];
-  });
-  for (const std::int32_t v : order) {
-    d.remove({v});
-  }
-  d.compact();
-  d.make_delaunay();
+  d.remove_all(before);
   return d;
 }
 
 }  // namespace
 
-Tessellation::Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites)
+Tessellation::Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites,
+                           const ThinnedSurface* base)
     : mass_(mass),
-      d_(triangulate(mass.surface(), sites, places_)),
+      d_(triangulate(mass.surface(), sites, base, places_)),
       cells_(mass.surface(), d_, places_) {}
 
 std::vector<SurfacePoint> Tessellation::sites() const {

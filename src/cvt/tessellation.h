@@ -6,6 +6,7 @@
 
 #include "cvt/optimize.h"
 #include "cvt/surface_cells.h"
+#include "cvt/thinned_surface.h"
 #include "triangulation/delaunay.h"
 #include "ucvt/uniformize.h"
 
@@ -15,10 +16,11 @@ namespace ucvt {
 /// its place on T is one and the same.
 class Tessellation : public SiteSystem {
  public:
-  /// Builds D from T by inserting the sites and removing T's vertices. Keeps a reference to the
-  /// mass. Requires at least one site, four on the sphere. Throws InvalidInput when two sites
-  /// coincide.
-  Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites);
+  /// Builds D from T, or from a thinned T where there is one, by inserting the sites and removing the
+  /// vertices. Keeps a reference to the mass, not to the thinned T. Requires at least one site, four on
+  /// the sphere. Throws InvalidInput when two sites coincide.
+  Tessellation(const SurfaceMass& mass, const std::vector<SurfacePoint>& sites,
+               const ThinnedSurface* base = nullptr);
 
   [[nodiscard]] const DelaunayTriangulation& delaunay() const { return d_; }
   [[nodiscard]] Space space() const override { return d_.space(); }

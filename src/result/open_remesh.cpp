@@ -24,7 +24,7 @@ namespace ucvt {
 namespace {
 
 /// The mesh's edges in units of the spacing of the sites, as for closed surfaces.
-constexpr double edge_per_spacing = 0.5;
+constexpr double edge_per_spacing = 0.7;
 
 /// Most that the log scale may change along an edge of the mesh, and rounds of making it finer.
 constexpr double steepest_edge = 0.5;
@@ -177,7 +177,8 @@ class OpenRemesher {
 
   void optimize(int evaluations) {
     const auto start = std::chrono::steady_clock::now();
-    const OptimizeOptions options{options_.method, evaluations, options_.tolerance};
+    OptimizeOptions options = until_converged(options_);
+    options.evaluations = evaluations;
     const OptimizeResult result = ucvt::optimize(*sites_, options, options_.monitor);
     cvt_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     cvt_.iterations += result.evaluations;

@@ -12,7 +12,7 @@
 #include <tbb/global_control.h>
 
 #include "cvt/initial_sites.h"
-#include "cvt/multilevel.h"
+#include "cvt/surface_start.h"
 #include "cvt/tessellation.h"
 #include "cvt/uniformity.h"
 #include "result/cell_complex.h"
@@ -26,8 +26,8 @@ namespace ucvt {
 namespace {
 
 /// T's edges on the input surface, in units of the hexagonal spacing of the sites: cells then hold
-/// a dozen of T's faces at least, which resolves the density across them.
-constexpr double edge_per_spacing = 0.5;
+/// some ten of T's faces, which resolves the density across them.
+constexpr double edge_per_spacing = 0.7;
 
 /// Rounds of making room for a simplicial dual mesh, and the iterations of a round.
 constexpr int max_rounds = 40, round_iterations = 30;
@@ -39,22 +39,16 @@ constexpr double most_moved = 0.25;
 /// round where there is no room for it, and grow back by at most `growth` per unit of distance.
 constexpr double shortest_loop = 3, least_shrink = 0.8, growth = 0.7;
 
-/// Evaluations and tolerance of each level of a multilevel start.
-constexpr int level_evaluations = 30;
-constexpr double level_tolerance = 3e-3;
-
 /// Evaluations from one restart point to the next: there D, cells, frames and the optimiser's memory
 /// are made anew from the sites alone, whether anyone asks for a checkpoint or not.
 constexpr int leg_evaluations = 100;
 
 /// Log scales that span more make a surface steep. A multilevel start would leave limbs without sites
 /// there, the few cells of a coarse level being ruled by their far dense ends: sites start far apart, and
-/// sizes are evened so many times, after so many evaluations each.
+/// sizes are evened so many times, after so many evaluations each and to so much of the spacing.
 constexpr double steep_span = 10;
 constexpr int evenings = 8, evening_evaluations = 40;
-
-/// Draws of random initial sites before giving up.
-constexpr int max_draws = 200;
+constexpr double evening_tolerance = 3e-3;
 
 /// Distance between neighbours in a hexagonal lattice of so many sites on the mesh.
 double hexagonal_spacing(const TriangleMesh& mesh, int sites) {
@@ -82,6 +76,16 @@ std::vector<double> initial_size(const RemeshOptions& options, std::size_t verti
   return options.initial_size;
 }
 
+/// Of T's edges on the input, by halfedge.
+std::vector<double> lengths(const Uniformized& t) {
+  std::vector<double> out;
+  out.reserve(t.intrinsic.log_length.size());
+  for (const double l : t.intrinsic.log_length) {
+    out.push_back(std::exp(l));
+  }
+  return out;
+}
+
 class Remesher {
  public:
   Remesher(const ClosedSurface& surface, const RemeshOptions& options)
@@ -93,6 +97,7 @@ class Remesher {
         factor_(conformal_factor(t_)),
         spacing_3d_(hexagonal_spacing(surface.mesh, options.refine_for)),
         size_(initial_size(options, factor_.size())),
+        thinned_(thin_out(t_.surface, lengths(t_), thinned_counts(t_.surface, options.sites))),
         mass_(std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_))) {}
 
   RemeshResult run() {
@@ -111,12 +116,6 @@ class Remesher {
   }
 
  private:
-  /// True unless some face of D would have to be more than a hemisphere.
-  [[nodiscard]] bool covers_surface(const Tessellation& sites) const {
-    const double wanted = surface_.report().area;
-    return std::abs(sites.delaunay().area() - wanted) < 1e-6 * wanted;
-  }
-
   [[nodiscard]] bool is_steep() const {
     const UniformizationReport& u = surface_.report();
     return u.log_scale_max - u.log_scale_min > steep_span;
@@ -129,42 +128,44 @@ class Remesher {
       return;
     }
     const bool multilevel = options_.init == InitialSites::Multilevel;
-    at_.levels_left = is_steep() ? evenings : 0;
+    at_.evenings_left = is_steep() ? evenings : 0;
     if (multilevel && !is_steep()) {
-      // A small CVT from random sites, then from level to level sites at the middles of all edges of
-      // D, as many as lead to the number asked for: its few defects are all there are in the end.
-      const LevelPlan plan = plan_levels(options_.sites, t_.surface.connectivity().euler_number());
-      at_.levels_left = plan.levels;
-      place_random_sites(plan.coarsest);
-    } else if (options_.init == InitialSites::Farthest ||
-               (multilevel && n <= t_.surface.connectivity().vertex_count())) {
+      const std::vector<SurfacePoint> points = level_by_level();
+      if (!points.empty()) {
+        place(points);
+        offer_checkpoint(points);
+        return;
+      }
+    }
+    if (options_.init == InitialSites::Farthest ||
+        (multilevel && is_steep() && n <= t_.surface.connectivity().vertex_count())) {
       place(far_apart_sites());
     } else {
-      place_random_sites(options_.sites);
+      sites_ =
+          random_tessellation(*mass_, t_.vertex_area_3d, options_.sites, options_.seed, base());
     }
+  }
+
+  /// What D is built from; null: from T.
+  [[nodiscard]] const ThinnedSurface* base() const {
+    const ThinnedSurface* out = nullptr;
+    for (const ThinnedSurface& t : thinned_) {
+      if (!out || t.delaunay().vertex_count() >= 2 * static_cast<std::size_t>(options_.sites)) {
+        out = &t;
+      }
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::vector<SurfacePoint> level_by_level() const {
+    return multilevel_start({*mass_, t_.vertex_area_3d, thinned_}, options_.sites, options_.seed,
+                            options_.method, options_.monitor);
   }
 
   void place(const std::vector<SurfacePoint>& sites) {
-    sites_ = std::make_unique<Tessellation>(*mass_, sites);
+    sites_ = std::make_unique<Tessellation>(*mass_, sites, base());
     if (!covers_surface(*sites_)) {
       throw NumericalError("the initial sites lie in one hemisphere");
-    }
-  }
-
-  /// Few random sites on a sphere may all lie in one hemisphere, where no Delaunay triangulation by
-  /// geodesic triangles exists; the next random numbers do better.
-  void place_random_sites(int n) {
-    std::uint64_t seed = options_.seed;
-    for (int tries = max_draws;; --tries) {
-      try {
-        place(random_sites(t_.surface, t_.vertex_area_3d, static_cast<std::size_t>(n), seed));
-        return;
-      } catch (const NumericalError&) {
-        if (tries <= 1) {
-          throw;
-        }
-        seed = seed * 6364136223846793005u + 1442695040888963407u;
-      }
     }
   }
 
@@ -176,24 +177,7 @@ class Remesher {
                       "which has {}; start from random sites",
                       t_.surface.connectivity().vertex_count()));
     }
-    std::vector<double> length;
-    length.reserve(t_.intrinsic.log_length.size());
-    for (const double l : t_.intrinsic.log_length) {
-      length.push_back(std::exp(l));
-    }
-    return farthest_sites(t_.surface, length, n, options_.seed);
-  }
-
-  /// What follows on a level of the start.
-  void next_level() {
-    if (is_steep()) {
-      even_out();
-    } else {
-      split_longest_edges();
-      if (at_.levels_left == 0) {
-        restart();  // the levels before are short
-      }
-    }
+    return farthest_sites(t_.surface, lengths(t_), n, options_.seed);
   }
 
   /// Sizes that make up for uneven cells. Where doubles do not suffice to build D anew they stay.
@@ -208,21 +192,13 @@ class Remesher {
     }
   }
 
-  /// Leaves out the edges that would lead to too many sites, some on every level.
-  void split_longest_edges() {
-    const int next =
-        sites_on_level(options_.sites, t_.surface.connectivity().euler_number(), at_.levels_left);
-    const auto room = static_cast<std::size_t>(next) - sites_->site_count();
-    sites_->split_edges(longest_edges(sites_->delaunay(), room));
-  }
-
   /// The state that a checkpoint holds.
   void go_on() {
     at_ = *options_.progress;
     const auto n = options_.initial_sites.size();
     const auto most = static_cast<std::int64_t>(most_moved * options_.sites);
-    if ((at_.levels_left > 0 && n > static_cast<std::size_t>(options_.sites)) || at_.moved < 0 ||
-        at_.moved > most || at_.levels_left < 0 || at_.round < 0 || at_.evaluations < 0) {
+    if ((at_.evenings_left > 0 && n > static_cast<std::size_t>(options_.sites)) || at_.moved < 0 ||
+        at_.moved > most || at_.evenings_left < 0 || at_.round < 0 || at_.evaluations < 0) {
       throw InvalidInput("the progress of the run does not fit its sites; give an unchanged file");
     }
     cvt_.iterations = at_.iterations;
@@ -232,10 +208,11 @@ class Remesher {
 
   /// Limits of the current optimisation.
   [[nodiscard]] OptimizeOptions limits() const {
-    OptimizeOptions out{options_.method, options_.iterations, options_.tolerance, !is_steep()};
-    if (at_.levels_left > 0) {
-      out.evaluations = is_steep() ? evening_evaluations : level_evaluations;
-      out.tolerance = level_tolerance;
+    OptimizeOptions out = until_converged(options_);
+    out.springs = !is_steep();
+    if (at_.evenings_left > 0) {
+      out.evaluations = evening_evaluations;
+      out.tolerance = evening_tolerance;
     } else if (at_.round > 0 && !at_.closing) {
       out.evaluations = std::min(round_iterations, options_.iterations);
     }
@@ -257,9 +234,9 @@ class Remesher {
 
   /// Sets out for what follows on an optimisation; false when nothing does.
   bool next_optimisation() {
-    if (at_.levels_left > 0) {
-      --at_.levels_left;
-      next_level();
+    if (at_.evenings_left > 0) {
+      --at_.evenings_left;
+      even_out();
       return true;
     }
     if (at_.round > 0 && !at_.closing && edges_not_simplicial(sites_->delaunay()).empty()) {
@@ -278,7 +255,7 @@ class Remesher {
   [[nodiscard]] std::unique_ptr<Tessellation> built_anew(
       const SurfaceMass& mass, const std::vector<SurfacePoint>& points) const {
     try {
-      auto anew = std::make_unique<Tessellation>(mass, points);
+      auto anew = std::make_unique<Tessellation>(mass, points, base());
       return covers_surface(*anew) ? std::move(anew) : nullptr;
     } catch (const InvalidInput&) {
       return nullptr;
@@ -320,7 +297,7 @@ class Remesher {
       throw Cancelled("interrupted; no output was written");
     }
     at_.evaluations += result.evaluations;
-    if (at_.levels_left == 0) {
+    if (at_.evenings_left == 0) {
       record(result, before > 0);
       cvt_.seconds +=
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -406,7 +383,7 @@ class Remesher {
     size_ = std::move(size);
     sites_.reset();
     mass_ = std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_));
-    sites_ = std::make_unique<Tessellation>(*mass_, sites);
+    sites_ = std::make_unique<Tessellation>(*mass_, sites, base());
     ++at_.round;
     offer_checkpoint(sites);
     return true;
@@ -451,6 +428,7 @@ class Remesher {
   std::vector<double> factor_;
   double spacing_3d_;         ///< hexagonal spacing of the sites on the input
   std::vector<double> size_;  ///< wanted at T's vertices, relative to that spacing
+  std::vector<ThinnedSurface> thinned_;
   std::unique_ptr<SurfaceMass> mass_;
   std::unique_ptr<Tessellation> sites_;
   RunProgress at_;  ///< but for what the CVT report holds

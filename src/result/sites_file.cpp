@@ -68,7 +68,7 @@ RunProgress read_progress(const json& object) {
   }
   RunProgress out;
   out.sites = read_count(object, "sites");
-  out.levels_left = read_count(object, "levels_left");
+  out.evenings_left = read_count(object, "evenings_left");
   out.round = read_count(object, "round");
   out.closing = object["closing"].get<bool>();
   out.evaluations = read_count(object, "evaluations");
@@ -81,7 +81,7 @@ RunProgress read_progress(const json& object) {
 
 json as_json(const RunProgress& progress) {
   return {{"sites", progress.sites},
-          {"levels_left", progress.levels_left},
+          {"evenings_left", progress.evenings_left},
           {"round", progress.round},
           {"closing", progress.closing},
           {"evaluations", progress.evaluations},

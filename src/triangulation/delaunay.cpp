@@ -250,6 +250,22 @@ void DelaunayTriangulation::remove(Vertex v) {
   throw NumericalError("a vertex of the triangulation could not be removed");
 }
 
+void DelaunayTriangulation::remove_all(const std::vector<Vertex>& vertices) {
+  // By octave of the scale, otherwise as they come: neighbours in memory go together.
+  std::vector<std::pair<int, Vertex>> order;
+  for (const Vertex v : vertices) {
+    double nearest = HUGE_VAL;
+    connectivity_.for_outgoing(v, [&](Halfedge h) { nearest = std::min(nearest, offset(h).h); });
+    order.emplace_back(std::ilogb(nearest) / 2, v);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [octave, v] : order) {
+    remove(v);
+  }
+  compact();
+  make_delaunay();
+}
+
 bool DelaunayTriangulation::move_in_star(Vertex v, const Offset& to) {
   struct Change {
     Halfedge h;

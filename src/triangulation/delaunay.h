@@ -26,6 +26,7 @@ class DelaunayTriangulation {
   [[nodiscard]] std::size_t vertex_count() const { return connectivity_.vertex_count(); }
   /// The head of h in the frame of its origin.
   [[nodiscard]] const Offset& offset(Halfedge h) const { return offset_[h.index()]; }
+  [[nodiscard]] const std::vector<Offset>& offsets() const { return offset_; }
 
   /// The change of coordinates from the frame at h's head to the frame at its origin.
   [[nodiscard]] Isometry frame_change(Halfedge h) const {
@@ -44,6 +45,11 @@ class DelaunayTriangulation {
   /// Removes v and restores Delaunay around the hole. Requires another vertex to remain; throws
   /// NumericalError when the star cannot be flipped down to three faces.
   void remove(Vertex v);
+
+  /// Removes many vertices, as `remove`, restores Delaunay and compacts. Those of the smallest scale go
+  /// first: a vertex goes while its star is of its own scale still, and no star ever spans more scales
+  /// than doubles can compare.
+  void remove_all(const std::vector<Vertex>& vertices);
 
   /// Moves v to offset `to` in its own frame, carrying the frame parallel; does not restore
   /// Delaunay. Returns false, having changed nothing, when some face would turn over.

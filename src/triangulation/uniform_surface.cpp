@@ -151,6 +151,20 @@ Offset point_in_frame(const UniformSurface& t, const SurfacePoint& p,
   return on_quadric(s, out);
 }
 
+CornerView seen_from_corner(const UniformSurface& t, const std::vector<Offset>& frames,
+                            const SurfacePoint& p) {
+  const auto nearest =
+      static_cast<std::size_t>(std::max_element(p.bary.begin(), p.bary.end()) - p.bary.begin());
+  const Halfedge h = halfedges(p.face)[nearest];
+  CornerView out;
+  out.from = t.connectivity().origin(h);
+  out.corner[nearest] = {};
+  out.corner[(nearest + 1) % 3] = frames[h.index()];
+  out.corner[(nearest + 2) % 3] = frames[t.connectivity().rotate(h).index()];
+  out.at = point_in_frame(t, p, out.corner);
+  return out;
+}
+
 Place place_of(const UniformSurface& t, const SurfacePoint& p) {
   const Space s = t.space();
   const auto side = halfedges(p.face);

@@ -86,6 +86,17 @@ struct Place {
 Offset point_in_frame(const UniformSurface& t, const SurfacePoint& p,
                       const std::array<Offset, 3>& corner);
 
+/// A surface point as the nearest corner of its face, in barycentric terms, sees it.
+struct CornerView {
+  Vertex from;
+  Offset at;                     ///< the point, in that vertex' frame
+  std::array<Offset, 3> corner;  ///< of the point's face, likewise
+};
+
+/// `frames` as of `vertex_frames`.
+CornerView seen_from_corner(const UniformSurface& t, const std::vector<Offset>& frames,
+                            const SurfacePoint& p);
+
 /// The place of a surface point, in the frame carried parallel from the face's corner 0, whose
 /// frame has its first axis along side 0.
 Place place_of(const UniformSurface& t, const SurfacePoint& p);

@@ -88,7 +88,7 @@ TEST(Checkpoints, AnInterruptionSavesTheLastState) {
   const TemporaryFolder folder;
   const std::string state = folder.file("state.json");
   Program program(with(long_run(folder), {"--checkpoint", state, "--verbose"}));
-  ASSERT_TRUE(program.says("iteration  150"));
+  ASSERT_TRUE(program.says("iteration  250"));
   program.send(SIGTERM);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.status, 1);

@@ -48,7 +48,8 @@ TEST(SelfCheck, FindsAnOffsetThatIsWrong) {
                              [](CellComplex& cells) {
                                const Halfedge h{0};
                                Offset o = cells.delaunay.offset(h);
-                               o = from_central({-1}, o.x * 1.001 / (1 + o.h), o.y / (1 + o.h));
+                               o = from_central({-1}, o.x * 1.001 / (1 + o.h),
+                                                o.y * 1.001 / (1 + o.h));
                                cells.delaunay.correct(h, o);
                              })),
                NumericalError);

@@ -52,7 +52,7 @@ void expect_resumable(const ClosedSurface& surface, const RemeshOptions& options
         ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json"))
           .string();
   for (const SavedSites& state : whole.states) {
-    SCOPED_TRACE(state.progress->levels_left);
+    SCOPED_TRACE(state.progress->evenings_left);
     SCOPED_TRACE(state.progress->iterations);
     write_sites(path, state);
     RemeshOptions resumed = options;
@@ -102,7 +102,7 @@ TEST(Checkpoint, ProgressThatDoesNotFitIsRefused) {
   };
   refuse([](SavedSites& s) { s.progress->moved = -1; });
   refuse([](SavedSites& s) { s.progress->moved = 1'000'000; });
-  refuse([](SavedSites& s) { s.progress->levels_left = 1, s.progress->sites = 10; });
+  refuse([](SavedSites& s) { s.progress->evenings_left = 1, s.progress->sites = 10; });
   refuse([](SavedSites& s) { s.progress->evaluations = -1; });
   refuse([](SavedSites& s) { s.size.pop_back(); });
   refuse([](SavedSites& s) { s.sites.clear(); });

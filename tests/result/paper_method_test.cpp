@@ -98,7 +98,7 @@ TEST(PaperMethod, FewSitesNeedMoreThanTheNeighbours) {
   // Cells so large that they reach past a neighbour: the copies of the paper do not show every
   // neighbour of theirs.
   RemeshOptions options;
-  options.sites = 30;
+  options.sites = 14;
   options.init = InitialSites::Random;
   options.iterations = 0;
   options.ensure_simplicial = false;
@@ -117,7 +117,7 @@ TEST(PaperMethod, LloydFindsAlmostTheSameCentroids) {
     RemeshOptions options;
     options.method = Method::Lloyd;
     options.iterations = 30;
-    options.tolerance = 0;
+    options.tolerance = 1e-300;
     options.ensure_simplicial = false;
     options.initial_sites = start.sites;
     const RemeshResult exact = remesh(oracle::closed(mesh), options);
