@@ -19,7 +19,7 @@ constexpr double most_left = 0.5;
 
 /// The coarsest level comes to rest: what defects it has all levels have. The others end where ten steps
 /// lower the energy by little.
-const OptimizeOptions at_rest{.evaluations = 200, .tolerance = 1e-4};
+const OptimizeOptions at_rest{.evaluations = 200, .tolerance = 1e-4, .least_decrease = 1e-5};
 const OptimizeOptions settled{.evaluations = 100, .tolerance = 1e-3, .least_decrease = 1e-4};
 
 /// Random starts compete, with seeds so far apart, until so many evaluations after the coarsest levels:
@@ -98,7 +98,7 @@ class MultilevelStart {
       --left;
     }
     Level best = start(left, seed);
-    for (int k = 1; k < starts; ++k) {
+    for (int k = 1; k < starts && best.rested; ++k) {
       Level other = start(left, seed += stride);
       if (other.energy < best.energy) {
         best = std::move(other);
@@ -119,13 +119,14 @@ class MultilevelStart {
     int left = 0;
     std::vector<SurfacePoint> points;  ///< of T
     double energy = 0;
+    bool rested = false;  ///< converged on the coarsest level
   };
 
   [[nodiscard]] int sites_on(int left) const { return sites_on_level(sites_, euler_number_, left); }
 
   /// From random sites to the level of so many splittings to come, roughly optimised there.
   [[nodiscard]] Level start(int left, std::uint64_t seed) const {
-    Level level{plan_.levels, {}, 0};
+    Level level{plan_.levels, {}, 0, true};
     const Ground& coarsest = ground(level);
     level.points = coarsest.to_t(
         random_tessellation(coarsest.mass(), coarsest.weight(), sites_on(level.left), seed)
@@ -142,28 +143,32 @@ class MultilevelStart {
   [[nodiscard]] Level optimised(const Level& level, const OptimizeOptions& options) const {
     const Ground& at = ground(level);
     Tessellation sites(at.mass(), at.from_t(level.points));
-    const double energy = optimise(sites, options);
-    return {level.left, at.to_t(sites.sites()), energy};
+    Level out = optimise(sites, level, options);
+    out.points = at.to_t(sites.sites());
+    return out;
   }
 
   /// Optimised, and with as many middles of edges as the next level has more sites.
   [[nodiscard]] Level finer(const Level& level, const OptimizeOptions& options) const {
     const Ground& at = ground(level);
     Tessellation sites(at.mass(), at.from_t(level.points));
-    const double energy = optimise(sites, options);
-    const auto room = static_cast<std::size_t>(sites_on(level.left - 1)) - sites.site_count();
+    Level out = optimise(sites, level, options);
+    out.left = level.left - 1;
+    const auto room = static_cast<std::size_t>(sites_on(out.left)) - sites.site_count();
     sites.split_edges(longest_edges(sites, room));
-    return {level.left - 1, at.to_t(sites.sites()), energy};
+    out.points = at.to_t(sites.sites());
+    return out;
   }
 
-  /// Returns the energy.
-  double optimise(Tessellation& sites, OptimizeOptions options) const {
+  /// The level but for its points.
+  Level optimise(Tessellation& sites, const Level& level, OptimizeOptions options) const {
     options.method = method_;
     const OptimizeResult result = optimize(sites, options, monitor_);
     if (result.cancelled) {
       throw Cancelled("interrupted; no output was written");
     }
-    return result.energy.back();
+    const bool coarsest = level.left == plan_.levels;
+    return {level.left, {}, result.energy.back(), coarsest ? result.converged : level.rested};
   }
 
   [[nodiscard]] const Ground& ground(const Level& level) const {

@@ -133,7 +133,9 @@ class Remesher {
       const std::vector<SurfacePoint> points = level_by_level();
       if (!points.empty()) {
         place(points);
-        offer_checkpoint(points);
+        if (!options_.ensure_simplicial || !make_room()) {
+          offer_checkpoint(points);
+        }
         return;
       }
     }
