@@ -45,7 +45,7 @@ class CutCorners {
   CutCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts)
       : mass_(mass), t_(mass.surface()), stars_(stars), lifts_(lifts) {}
 
-  /// Takes a face with its corners' vertices, and adds to the cells once there are four of a kind.
+  /// Takes a face with its corners' ranks, and adds to the cells once there are four of a kind.
   /// Faces that turn out to be cut in other ways go to `others`.
   void take(Face f, const std::array<std::size_t, 3>& vertices, CellShares& out,
             std::vector<Face>& others);

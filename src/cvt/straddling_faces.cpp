@@ -17,9 +17,9 @@ Barycentric between(const Barycentric& p, const Barycentric& q, double s) {
 }  // namespace
 
 void StraddlingFaces::add(Face f, CellShares& out) {
+  const auto v = lifts_.corners(f);
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t v = t_.connectivity().origin(halfedges(f)[i]).index();
-    lift_[i] = {lifts_.at[v], lifts_.owner[v]};
+    lift_[i] = {lifts_.at[v[i]], lifts_.owner[v[i]]};
   }
   visit_cells(f);
   share_out(f, out);

@@ -9,6 +9,7 @@
 #include "cvt/cell_walk.h"
 #include "cvt/cut_corners.h"
 #include "cvt/straddling_faces.h"
+#include "space/lane_moments.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -18,8 +19,34 @@ namespace {
 /// they are, and handing a vertex on ends.
 constexpr double least_gain = 1e-14;
 
-/// Faces of one task. Fixed, so that sums do not depend on the number of threads.
+/// Faces of one task, and vertices. Fixed, so that sums do not depend on the number of threads.
 constexpr std::size_t chunk_size = 2048;
+
+/// `transvect_back` by what their sites reached, of n points, four at a time. Back on the quadric by a step
+/// of Newton's method for h, which rounding has moved it from: no root. Near and past the sphere's horizon h
+/// carries the information and is kept.
+UCVT_WIDE void carry(Space s, const Offset* reached, const Vertex* owner, Offset* at,
+                     std::size_t n) {
+  const double kappa = s.kappa;
+  for (std::size_t first = 0; first < n; first += 4) {
+    const std::size_t lanes = std::min<std::size_t>(4, n - first);
+    Lanes x{}, y{}, h{}, ax{}, ay{}, ah{};
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const Offset &p = at[first + k], &a = reached[owner[first + k].index()];
+      x[k] = p.x, y[k] = p.y, h[k] = p.h;
+      ax[k] = -a.x, ay[k] = -a.y, ah[k] = a.h;
+    }
+    const Lanes dot = ax * x + ay * y;
+    const Lanes f = 1 - kappa * (h + dot / (2 - kappa * ah));
+    x += ax * f, y += ay * f;
+    h = ah + h - kappa * ah * h + dot;
+    const Lanes step = (x * x + y * y + kappa * h * h - 2 * h) / (2 * (1 - kappa * h));
+    h += kappa * h > 0.5 ? Lanes{} : step;
+    for (std::size_t k = 0; k < lanes; ++k) {
+      at[first + k] = {x[k], y[k], h[k]};
+    }
+  }
+}
 
 }  // namespace
 
@@ -50,6 +77,7 @@ void SurfaceCells::settle(Offset& at, Vertex& owner) const {
 SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation& d,
                            const std::vector<Place>& places)
     : t_(&t), stars_(d) {
+  lifts_.order = std::make_shared<const VertexOrder>(t.connectivity());
   lifts_.at.resize(t.connectivity().vertex_count());
   lifts_.owner.resize(t.connectivity().vertex_count());
   CellWalk walk(t);
@@ -59,8 +87,9 @@ SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation&
     const auto offsets = stars_.offsets(site);
     neighbours.assign(offsets.begin(), offsets.end());
     for (const auto& face : walk.faces(places[i], neighbours)) {
+      const auto corners = lifts_.corners(face.place.face);
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t v = t.connectivity().origin(halfedges(face.place.face)[k]).index();
+        const std::size_t v = corners[k];
         if (face.outside[k] == 0 || lifts_.owner[v].id < 0) {
           lifts_.at[v] = face.place.corner[k], lifts_.owner[v] = site;
         }
@@ -76,12 +105,16 @@ SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation&
 
 void SurfaceCells::follow(const DelaunayTriangulation& d, std::span<const Offset> reached) {
   stars_ = Stars(d);
-  const Space s = t_->space();
-  tbb::parallel_for(std::size_t{0}, lifts_.at.size(), [&](std::size_t v) {
-    Offset& at = lifts_.at[v];
-    Vertex& owner = lifts_.owner[v];
-    at = on_quadric(s, transvect_back(s, reached[owner.index()], at));
-    settle(at, owner);
+  const std::size_t n = lifts_.at.size();
+  tbb::parallel_for(std::size_t{0}, (n + chunk_size - 1) / chunk_size, [&](std::size_t k) {
+    const std::size_t first = k * chunk_size, last = std::min(n, first + chunk_size);
+    carry(t_->space(), reached.data(), lifts_.owner.data() + first, lifts_.at.data() + first,
+          last - first);
+    for (std::size_t v = first; v < last; ++v) {
+      if (!(lifts_.at[v].h < stars_.inner_h(lifts_.owner[v]))) {
+        settle(lifts_.at[v], lifts_.owner[v]);
+      }
+    }
   });
 }
 
@@ -99,19 +132,26 @@ class SurfaceCells::Sweep {
 
   std::vector<CellShares::Share> run(std::size_t first, std::size_t last) {
     straddling_.clear(), others_.clear();
+    // Faces of one cell come in runs.
+    Vertex cell;
+    Moments sum;
     for (std::size_t i = first; i < last; ++i) {
       const Face f{static_cast<std::int32_t>(i)};
-      const auto v = corners(f);
+      const auto v = lifts_.corners(f);
       if (lies_in_one_cell(f, v)) {
-        shares_.of(lifts_.owner[v[0]]) +=
-            moments_of(mass_.weights(f), {lifts_.at[v[0]], lifts_.at[v[1]], lifts_.at[v[2]]});
+        if (lifts_.owner[v[0]] != cell) {
+          add(cell, sum);
+          cell = lifts_.owner[v[0]], sum = {};
+        }
+        sum += moments_of(mass_.weights(f), {lifts_.at[v[0]], lifts_.at[v[1]], lifts_.at[v[2]]});
       } else {
         mass_.prefetch(f);
         straddling_.push_back(f);
       }
     }
+    add(cell, sum);
     for (const Face f : straddling_) {
-      cut_corners_.take(f, corners(f), shares_, others_);
+      cut_corners_.take(f, lifts_.corners(f), shares_, others_);
     }
     cut_corners_.finish(shares_, others_);
     for (const Face f : others_) {
@@ -121,11 +161,10 @@ class SurfaceCells::Sweep {
   }
 
  private:
-  /// The vertices of T at the face's corners.
-  [[nodiscard]] std::array<std::size_t, 3> corners(Face f) const {
-    const auto side = halfedges(f);
-    const Connectivity& c = t_.connectivity();
-    return {c.origin(side[0]).index(), c.origin(side[1]).index(), c.origin(side[2]).index()};
+  void add(Vertex cell, const Moments& sum) {
+    if (cell.id >= 0) {
+      shares_.of(cell) += sum;
+    }
   }
 
   [[nodiscard]] bool lies_in_one_cell(Face f, const std::array<std::size_t, 3>& v) const {

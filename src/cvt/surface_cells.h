@@ -31,7 +31,9 @@ class SurfaceCells {
                                              const std::vector<Place>& places) const;
 
   /// The site whose cell a vertex of T lies in.
-  [[nodiscard]] Vertex owner(Vertex of_t) const { return lifts_.owner[of_t.index()]; }
+  [[nodiscard]] Vertex owner(Vertex of_t) const {
+    return lifts_.owner[static_cast<std::size_t>(lifts_.order->rank[of_t.index()])];
+  }
 
  private:
   class Sweep;
