@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
 #include <utility>
 
 #include "ucvt/error.h"
@@ -29,38 +27,44 @@ std::vector<double> chords(const DelaunayTriangulation& d) {
 /// Of the candidates those stay that are farther than the radius from all taken before, by paths of edges.
 std::vector<Halfedge> spread_out(const Connectivity& c, const std::vector<double>& length,
                                  const std::vector<Vertex>& candidates, double radius) {
-  using Entry = std::pair<double, std::int32_t>;
   std::vector<Halfedge> towards(c.vertex_count());
   std::vector<double> distance(c.vertex_count(), HUGE_VAL);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  // Dijkstra's algorithm.
+  // Shortest paths, corrected in the order in which vertices are met: over a few rings of vertices that
+  // is sooner done than by a heap.
+  std::vector<Vertex> front;
+  std::vector<bool> waits(c.vertex_count(), false);
+  const auto meet = [&](Vertex v) {
+    if (!waits[v.index()]) {
+      waits[v.index()] = true;
+      front.push_back(v);
+    }
+  };
   const auto reach = [&](double limit) {
-    while (!front.empty()) {
-      const auto [d, v] = front.top();
-      front.pop();
-      if (d > distance[static_cast<std::size_t>(v)]) {
-        continue;
-      }
-      c.for_outgoing({v}, [&](Halfedge h) {
-        const std::size_t w = c.head(h).index();
+    for (std::size_t k = 0; k < front.size(); ++k) {
+      const Vertex v = front[k];
+      waits[v.index()] = false;
+      const double d = distance[v.index()];
+      c.for_outgoing(v, [&](Halfedge h) {
+        const Vertex w = c.head(h);
         const double through = d + length[h.index()];
-        if (through < distance[w] && through <= limit) {
-          distance[w] = through, towards[w] = c.twin(h);
-          front.push({through, static_cast<std::int32_t>(w)});
+        if (through < distance[w.index()] && through <= limit) {
+          distance[w.index()] = through, towards[w.index()] = c.twin(h);
+          meet(w);
         }
       });
     }
+    front.clear();
   };
   for (const Vertex v : candidates) {
     if (distance[v.index()] == HUGE_VAL) {
       distance[v.index()] = 0;
-      front.push({0, v.id});
+      meet(v);
       reach(radius);
     }
   }
   for (std::size_t i = 0; i < distance.size(); ++i) {
     if (distance[i] < HUGE_VAL) {
-      front.push({distance[i], static_cast<std::int32_t>(i)});
+      meet({static_cast<std::int32_t>(i)});
     }
   }
   reach(HUGE_VAL);
@@ -79,8 +83,9 @@ std::vector<double> vertex_areas(const UniformSurface& t) {
   std::vector<double> out(t.connectivity().vertex_count());
   for (std::size_t f = 0; f < t.connectivity().face_count(); ++f) {
     const Face face{static_cast<std::int32_t>(f)};
+    const double share = t.area(face) / 3;
     for (const Halfedge h : halfedges(face)) {
-      out[t.connectivity().origin(h).index()] += t.area(face) / 3;
+      out[t.connectivity().origin(h).index()] += share;
     }
   }
   return out;

@@ -118,15 +118,20 @@ double UniformSurface::area(Face f) const {
 
 std::vector<Offset> UniformSurface::vertex_frames() const {
   std::vector<Offset> out(connectivity_.halfedge_count());
+  std::vector<double> until;  // the angle swept before each halfedge
   for (std::size_t v = 0; v < connectivity_.vertex_count(); ++v) {
     const Vertex vertex{static_cast<std::int32_t>(v)};
+    until.clear();
     double total = 0;
-    connectivity_.for_outgoing(vertex, [&](Halfedge h) { total += angle(h); });
-    const double scale = 2 * std::numbers::pi / total;
-    double direction = 0;
     connectivity_.for_outgoing(vertex, [&](Halfedge h) {
+      until.push_back(total);
+      total += angle(h);
+    });
+    const double scale = 2 * std::numbers::pi / total;
+    std::size_t k = 0;
+    connectivity_.for_outgoing(vertex, [&](Halfedge h) {
+      const double direction = scale * until[k++];
       out[h.index()] = from_chord(space_, chord(h), std::cos(direction), std::sin(direction));
-      direction += scale * angle(h);
     });
   }
   return out;
