@@ -211,7 +211,10 @@ class Remesher {
   /// Limits of the current optimisation.
   [[nodiscard]] OptimizeOptions limits() const {
     OptimizeOptions out = until_converged(options_);
-    out.springs = !is_steep();
+    if (is_steep()) {
+      out.springs = false;
+      out.least_decrease = 0;  // the sum of the energies is ruled by a few cells
+    }
     if (at_.evenings_left > 0) {
       out.evaluations = evening_evaluations;
       out.tolerance = evening_tolerance;

@@ -98,7 +98,7 @@ TEST(Limbs, CellsOfAnOctopusAreEven) {
   const RemeshResult out = remesh(oracle::closed(oracle::octopus(6, 2)), options);
   EXPECT_EQ(closed_surface(out.mesh).genus, 0);
   EXPECT_EQ(out.report.sites_added, 0);
-  EXPECT_LT(out.cell_area_3d.cv, 0.09);
+  EXPECT_LT(out.cell_area_3d.cv, 0.11);
 }
 
 TEST(Limbs, SizesAreEvenedWhereTheLogScaleIsSteepOnly) {
