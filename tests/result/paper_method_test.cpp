@@ -95,18 +95,22 @@ paper::FundamentalDomain with_second_ring(const paper::FundamentalDomain& d) {
 }
 
 TEST(PaperMethod, FewSitesNeedMoreThanTheNeighbours) {
-  // Cells so large that they reach past a neighbour: the copies of the paper do not show every
+  // Cells so large that they reach past a neighbour: the copies of the paper do not always show every
   // neighbour of theirs.
   RemeshOptions options;
   options.sites = 14;
   options.init = InitialSites::Random;
   options.iterations = 0;
   options.ensure_simplicial = false;
-  const RemeshResult r = remesh(oracle::closed(oracle::voxel_frame(3)), options);
-  const auto expected = paper::quotient(r.cells->delaunay);
-  const auto [domain, sites] = paper::laid_out_domain(r.surface.value().surface, points(r.sites));
-  EXPECT_NE(paper::quotient(paper::diagram(domain, sites)), expected);
-  EXPECT_EQ(paper::quotient(paper::diagram(with_second_ring(domain), sites)), expected);
+  int missed = 0;
+  for (options.seed = 1; options.seed <= 6; ++options.seed) {
+    const RemeshResult r = remesh(oracle::closed(oracle::voxel_frame(3)), options);
+    const auto expected = paper::quotient(r.cells->delaunay);
+    const auto [domain, sites] = paper::laid_out_domain(r.surface.value().surface, points(r.sites));
+    missed += paper::quotient(paper::diagram(domain, sites)) != expected ? 1 : 0;
+    EXPECT_EQ(paper::quotient(paper::diagram(with_second_ring(domain), sites)), expected);
+  }
+  EXPECT_GT(missed, 0);
 }
 
 TEST(PaperMethod, LloydFindsAlmostTheSameCentroids) {
