@@ -98,7 +98,7 @@ TEST(PaperMethod, FewSitesNeedMoreThanTheNeighbours) {
   // Cells so large that they reach past a neighbour: the copies of the paper do not always show every
   // neighbour of theirs.
   RemeshOptions options;
-  options.sites = 14;
+  options.sites = 30;
   options.init = InitialSites::Random;
   options.iterations = 0;
   options.ensure_simplicial = false;
