@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <queue>
-#include <tuple>
 
 #include "space/moments.h"
 #include "ucvt/error.h"
@@ -15,9 +14,6 @@ namespace {
 
 /// Euclidean flips happen only past this cotangent sum.
 constexpr double delaunay_tolerance = 1e-10;
-
-/// Faces of a region of `refine`.
-constexpr std::size_t region_size = 256;
 
 /// Triangles with less room than this in the triangle inequality, relative to their longest side,
 /// are degenerate to rounding and get the room of `mollified_room` mean edge lengths.
@@ -180,27 +176,12 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
   const auto wanted = [&](Halfedge h) {
     return (size[t.connectivity.origin(h).index()] + size[t.connectivity.head(h).index()]) / 2;
   };
-  // Region by region, so that new faces come one after the other in memory as those that they are made
-  // of, and in each by octaves of the length.
-  std::vector<std::int32_t> region(t.connectivity.face_count());
-  for (std::size_t f = 0; f < region.size(); ++f) {
-    region[f] = static_cast<std::int32_t>(f / region_size);
-  }
-  struct Entry {
-    std::int32_t region;
-    int octave;  ///< of the length
-    std::int32_t id;
-    double log_length;
-    bool operator<(const Entry& other) const {
-      return std::tuple(-region, octave, -id) < std::tuple(-other.region, other.octave, -other.id);
-    }
-  };
+  using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry> queue;
   const auto push = [&](Halfedge h) {
     const double l = t.log_length[h.index()];
     if (l > std::log(wanted(h))) {
-      queue.push(
-          {region[h.face().index()], static_cast<int>(std::floor(l / std::numbers::ln2)), h.id, l});
+      queue.push({l, h.id});
     }
   };
   for (std::size_t i = 0; i < t.connectivity.halfedge_count(); ++i) {
@@ -210,7 +191,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     }
   }
   while (!queue.empty()) {
-    const auto [at, octave, id, l] = queue.top();
+    const auto [l, id] = queue.top();
     queue.pop();
     const Halfedge h{id};
     if (t.log_length[h.index()] != l) {
@@ -225,7 +206,6 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     const Face added{static_cast<std::int32_t>(t.connectivity.face_count())};
     const double between = wanted(h);
     t.connectivity.split_edge(h);
-    region.resize(t.connectivity.face_count(), at);
     size.push_back(between);
     t.log.add_split(h, twin, added);
     ++t.splits;

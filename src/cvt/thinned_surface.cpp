@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "ucvt/error.h"
@@ -12,6 +13,9 @@ namespace {
 /// Points none of which is nearer to another than r, taken as they come until there is room for no more,
 /// number about this many for an area of r^2.
 constexpr double packing = 0.7;
+
+/// Times that a vertex is met on the way of shortest paths.
+constexpr std::uint8_t most_meetings = 30;
 
 std::vector<double> chords(const DelaunayTriangulation& d) {
   std::vector<double> out;
@@ -30,12 +34,15 @@ std::vector<Halfedge> spread_out(const Connectivity& c, const std::vector<double
   std::vector<Halfedge> towards(c.vertex_count());
   std::vector<double> distance(c.vertex_count(), HUGE_VAL);
   // Shortest paths, corrected in the order in which vertices are met: over a few rings of vertices that
-  // is sooner done than by a heap.
+  // is sooner done than by a heap. Where lengths differ by powers, corrections would go on and on, and
+  // paths are good enough without.
   std::vector<Vertex> front;
   std::vector<bool> waits(c.vertex_count(), false);
+  std::vector<std::uint8_t> meetings(c.vertex_count());
   const auto meet = [&](Vertex v) {
-    if (!waits[v.index()]) {
+    if (!waits[v.index()] && meetings[v.index()] < most_meetings) {
       waits[v.index()] = true;
+      ++meetings[v.index()];
       front.push_back(v);
     }
   };
@@ -62,6 +69,7 @@ std::vector<Halfedge> spread_out(const Connectivity& c, const std::vector<double
       reach(radius);
     }
   }
+  std::fill(meetings.begin(), meetings.end(), std::uint8_t{0});
   for (std::size_t i = 0; i < distance.size(); ++i) {
     if (distance[i] < HUGE_VAL) {
       meet({static_cast<std::int32_t>(i)});
