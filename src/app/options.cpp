@@ -70,7 +70,7 @@ void add_start(CLI::App& app, RemeshArguments& arguments) {
   };
   app.add_option_function<std::string>("--init", init,
                                        "where the sites start (default multilevel, on steep "
-                                       "surfaces random); FILE: as --sites wrote it")
+                                       "surfaces far apart); FILE: as --sites wrote it")
       ->type_name("multilevel|random|farthest|FILE");
   add_seed(app, arguments.options.seed);
 }

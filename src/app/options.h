@@ -51,11 +51,7 @@ struct RemeshArguments {
   CheckpointArguments checkpoint;
   RemeshOptions options;
   SurfaceFigureArguments figures;
-#ifdef NDEBUG
   bool check = false;
-#else
-  bool check = true;
-#endif
   bool sites_given = false;
   bool convergence_asked = false;  ///< a tolerance was given and no number of iterations
 };

@@ -12,6 +12,12 @@
 namespace ucvt {
 namespace {
 
+#ifdef NDEBUG
+constexpr bool always_checked = false;
+#else
+constexpr bool always_checked = true;
+#endif
+
 /// The options of the library, with the sites of --init in them.
 RemeshOptions options_of(const RemeshArguments& arguments) {
   RemeshOptions options = arguments.options;
@@ -70,7 +76,7 @@ std::vector<RemeshResult> computed(const RemeshArguments& arguments, const Close
     return {remesh(*input.open, options)};
   }
   std::vector<RemeshResult> results = remesh(input.components, options);
-  if (arguments.check) {
+  if (arguments.check || always_checked) {
     for (const RemeshResult& result : results) {
       check(result);
     }

@@ -89,7 +89,7 @@ class MultilevelStart {
     }
   }
 
-  std::vector<SurfacePoint> sites(std::uint64_t seed) const {
+  [[nodiscard]] std::vector<SurfacePoint> sites(std::uint64_t seed) const {
     if (plan_.levels == 0) {
       return {};
     }

@@ -35,7 +35,7 @@ class ThinnedSurface {
 
   /// Overwrites points in the frame of a vertex of T with the same ones in the frame of the vertex that
   /// is left near it, and returns that.
-  Vertex anchor(Vertex of_t, std::span<Offset> points) const;
+  [[nodiscard]] Vertex anchor(Vertex of_t, std::span<Offset> points) const;
 
  private:
   friend std::vector<ThinnedSurface> thin_out(const UniformSurface&, const std::vector<double>&,
