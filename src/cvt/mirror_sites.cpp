@@ -165,7 +165,7 @@ void MirrorSites::measure(std::vector<CellState>& out) const {
         mean.x = mean.y = 0;
       }
     }
-    out[i] = {mean, sites_.spacing(site)};
+    out[i] = {mean, sites_.delaunay().spacing(site)};
   }
 }
 

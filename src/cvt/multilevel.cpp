@@ -10,16 +10,6 @@ namespace {
 /// Sites of the first level.
 constexpr std::int64_t least_coarse = 32, most_coarse = 160;
 
-double mean_edge(const DelaunayTriangulation& d, Vertex v) {
-  double sum = 0;
-  int n = 0;
-  d.connectivity().for_outgoing(v, [&](Halfedge h) {
-    sum += std::sqrt(2 * d.offset(h).h);
-    ++n;
-  });
-  return sum / n;
-}
-
 }  // namespace
 
 LevelPlan plan_levels(int sites, std::int64_t euler_number) {
@@ -51,7 +41,7 @@ std::vector<Halfedge> longest_edges(const DelaunayTriangulation& d, std::size_t 
     const Halfedge h{static_cast<std::int32_t>(i)};
     if (d.connectivity().is_canonical(h)) {
       const double around =
-          mean_edge(d, d.connectivity().origin(h)) + mean_edge(d, d.connectivity().head(h));
+          d.spacing(d.connectivity().origin(h)) + d.spacing(d.connectivity().head(h));
       edges.emplace_back(-std::sqrt(2 * d.offset(h).h) / around, h);
     }
   }
@@ -61,10 +51,6 @@ std::vector<Halfedge> longest_edges(const DelaunayTriangulation& d, std::size_t 
     out.push_back(edges[i].second);
   }
   return out;
-}
-
-std::vector<Halfedge> longest_edges(const Tessellation& sites, std::size_t most) {
-  return longest_edges(sites.delaunay(), most);
 }
 
 }  // namespace ucvt

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cvt/tessellation.h"
+#include "triangulation/delaunay.h"
 
 namespace ucvt {
 
@@ -25,6 +25,5 @@ int sites_on_level(int sites, std::int64_t euler_number, int levels_left);
 
 /// So many of D's edges, or all: those longest for their surroundings first.
 std::vector<Halfedge> longest_edges(const DelaunayTriangulation& d, std::size_t most);
-std::vector<Halfedge> longest_edges(const Tessellation& sites, std::size_t most);
 
 }  // namespace ucvt

@@ -99,13 +99,6 @@ std::vector<std::size_t> insertion_order(const std::vector<ModelPoint>& sites) {
   return order;
 }
 
-/// Half the way to a point.
-Offset halfway(Space s, const Offset& to) {
-  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
-  const double r = std::hypot(to.x, to.y);
-  return from_chord(s, half, to.x / r, to.y / r);
-}
-
 double distance(Space s, const Offset& p) {
   return length_of_chord(s, std::sqrt(2 * p.h));
 }
@@ -157,7 +150,7 @@ class ClosedSites : public SpaceSites {
     std::vector<ModelPoint> out;
     for (const Halfedge h : longest_edges(d_, most)) {
       const Frame& from = frames_[d_.connectivity().origin(h).index()];
-      Frame at = orthonormal(carried(from, halfway(d_.space(), d_.offset(h))));
+      Frame at = orthonormal(carried(from, half_way(d_.space(), d_.offset(h))));
       move_into_polygon(domain_, at);
       out.push_back(at.P);
     }

@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace ucvt {
-namespace {
-
-/// h at half the distance of a point at height h.
-double half_way(Space s, double h) {
-  return h / 2 / (1 + std::sqrt(1 - s.kappa * h / 2));
-}
-
-}  // namespace
 
 Stars::Stars(const DelaunayTriangulation& d) {
   const Connectivity& c = d.connectivity();

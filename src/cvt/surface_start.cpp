@@ -155,7 +155,7 @@ class MultilevelStart {
     Level out = optimise(sites, level, options);
     out.left = level.left - 1;
     const auto room = static_cast<std::size_t>(sites_on(out.left)) - sites.site_count();
-    sites.split_edges(longest_edges(sites, room));
+    sites.split_edges(longest_edges(sites.delaunay(), room));
     out.points = at.to_t(sites.sites());
     return out;
   }

@@ -108,21 +108,11 @@ void Tessellation::move(const std::vector<Offset>& target) {
   cells_.follow(d_, reached);
 }
 
-double Tessellation::spacing(Vertex site) const {
-  double sum = 0;
-  int n = 0;
-  d_.connectivity().for_outgoing(site, [&](Halfedge h) {
-    sum += std::sqrt(2 * d_.offset(h).h);
-    ++n;
-  });
-  return sum / n;
-}
-
 void Tessellation::measure(std::vector<CellState>& out) const {
   const std::vector<Moments> moments = cell_moments();
   out.resize(moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    out[i] = {moments[i], spacing({static_cast<std::int32_t>(i)})};
+    out[i] = {moments[i], d_.spacing({static_cast<std::int32_t>(i)})};
   }
 }
 
@@ -180,12 +170,8 @@ void Tessellation::restore() {
 }
 
 Tessellation::Middle Tessellation::middle(Halfedge h) const {
-  const Space s = d_.space();
-  const Offset& to = d_.offset(h);
-  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
-  const double r = std::hypot(to.x, to.y);
   const Vertex from = d_.connectivity().origin(h);
-  Middle out{from, from_chord(s, half, to.x / r, to.y / r), place(from)};
+  Middle out{from, half_way(d_.space(), d_.offset(h)), place(from)};
   move_place(mass_.surface(), out.place, out.offset);
   return out;
 }

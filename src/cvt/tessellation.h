@@ -57,9 +57,6 @@ class Tessellation : public SiteSystem {
   /// before keep their numbers.
   void split_edges(const std::vector<Halfedge>& edges);
 
-  /// Mean chord from a site to its neighbours in D.
-  [[nodiscard]] double spacing(Vertex site) const;
-
  private:
   /// The edge of h; its ends differ.
   [[nodiscard]] Spring spring(Halfedge h) const;

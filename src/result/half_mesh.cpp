@@ -148,11 +148,7 @@ std::vector<Halfedge> HalfView::edges_not_simplicial() const {
 }
 
 std::array<SurfacePoint, 2> HalfView::middle(Halfedge h) const {
-  const Space s = d_.space();
-  const Offset& to = d_.offset(h);
-  const double half = chord_of_length(s, length_of_chord(s, std::sqrt(2 * to.h)) / 2);
-  const double r = std::hypot(to.x, to.y);
-  const Offset at = from_chord(s, half, to.x / r, to.y / r);
+  const Offset at = half_way(d_.space(), d_.offset(h));
   const Vertex site = d_.connectivity().origin(h);
   return {sites_.point_at(site, at),
           sites_.point_at(sites_.partner(site), sites_.reflection(site)(at))};

@@ -369,7 +369,7 @@ class Remesher {
     std::vector<double> size = size_;
     for (const NonSimplicialEdge& e : in_the_way) {
       const Vertex a = d.connectivity().origin(e.halfedge);
-      const double room = e.loop_length / (shortest_loop * sites_->spacing(a));
+      const double room = e.loop_length / (shortest_loop * d.spacing(a));
       const SurfacePoint middle = point_of(sites_->middle(e.halfedge).place);
       for (const Face f : {middle.face, sites_->place(a).face}) {
         for (const Halfedge h : halfedges(f)) {

@@ -53,6 +53,17 @@ inline Offset from_chord(Space s, double chord, double cosine, double sine) {
   return {r * cosine, r * sine, chord * chord / 2};
 }
 
+/// h at half the distance of a point at height h.
+inline double half_way(Space s, double h) {
+  return h / 2 / (1 + std::sqrt(std::fmax(0, 1 - s.kappa * h / 2)));
+}
+
+/// The point half way from the origin to p. Requires p off the origin, and not its antipode.
+inline Offset half_way(Space s, const Offset& p) {
+  const double r = std::hypot(p.x, p.y);
+  return from_chord(s, std::sqrt(2 * half_way(s, p.h)), p.x / r, p.y / r);
+}
+
 /// The same point with h recomputed from (x, y), so that rounding never leaves the quadric.
 ///
 /// Near and past the sphere's horizon (h > 1/2) h carries the information and is kept.

@@ -107,6 +107,16 @@ std::int64_t DelaunayTriangulation::flip_to_delaunay(std::vector<Halfedge> stack
   return flips;
 }
 
+double DelaunayTriangulation::spacing(Vertex v) const {
+  double sum = 0;
+  int n = 0;
+  connectivity_.for_outgoing(v, [&](Halfedge h) {
+    sum += std::sqrt(2 * offset(h).h);
+    ++n;
+  });
+  return sum / n;
+}
+
 std::int64_t DelaunayTriangulation::make_delaunay() {
   std::vector<Halfedge> all;
   for (std::size_t i = 0; i < offset_.size(); ++i) {
@@ -320,10 +330,8 @@ Offset DelaunayTriangulation::move(Vertex v, const Offset& to) {
       return to;
     }
   }
-  const double half = chord_of_length(space_, length_of_chord(space_, std::sqrt(2 * to.h)) / 2);
-  const double r = radius(to);
-  const double least = least_move * std::sqrt(2 * offset(connectivity_.outgoing(v)).h);
-  return half > least ? move(v, from_chord(space_, half, to.x / r, to.y / r)) : Offset{};
+  const double least = least_move * least_move * offset(connectivity_.outgoing(v)).h;
+  return half_way(space_, to.h) > least ? move(v, half_way(space_, to)) : Offset{};
 }
 
 std::vector<Vertex> DelaunayTriangulation::compact() {

@@ -28,6 +28,9 @@ class DelaunayTriangulation {
   [[nodiscard]] const Offset& offset(Halfedge h) const { return offset_[h.index()]; }
   [[nodiscard]] const std::vector<Offset>& offsets() const { return offset_; }
 
+  /// Mean chord from v to its neighbours.
+  [[nodiscard]] double spacing(Vertex v) const;
+
   /// The change of coordinates from the frame at h's head to the frame at its origin.
   [[nodiscard]] Isometry frame_change(Halfedge h) const {
     return between_frames(offset(h), offset(connectivity_.twin(h)));

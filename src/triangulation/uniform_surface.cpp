@@ -16,12 +16,6 @@ namespace {
 constexpr double least_edge = 1e-6;
 constexpr int most_tries = 1000;
 
-/// The point half way from the origin to p.
-Offset half_way(Space s, const Offset& p) {
-  const double h = p.h / 2 / (1 + std::sqrt(1 - s.kappa * p.h / 2)), r = std::hypot(p.x, p.y);
-  return from_chord(s, std::sqrt(2 * h), p.x / r, p.y / r);
-}
-
 /// Walks to the face under the origin; false, with the place anywhere, at an edge that is too short for
 /// its distance.
 bool walk_to_origin(const UniformSurface& t, Place& place, double shortest) {
