@@ -118,14 +118,35 @@ void SurfaceCells::follow(const DelaunayTriangulation& d, std::span<const Offset
   });
 }
 
+void SurfaceCells::follow_removal(const DelaunayTriangulation& d, const std::vector<bool>& removed,
+                                  const std::vector<Vertex>& number) {
+  for (std::size_t v = 0; v < lifts_.at.size(); ++v) {
+    Vertex& owner = lifts_.owner[v];
+    if (removed[owner.index()]) {
+      const auto offsets = stars_.offsets(owner);
+      const auto nearest = static_cast<std::size_t>(
+          std::min_element(offsets.begin(), offsets.end(),
+                           [](const Offset& a, const Offset& b) { return a.h < b.h; }) -
+          offsets.begin());
+      lifts_.at[v] = on_quadric(
+          t_->space(), stars_.frames(owner)[nearest].apply_inverse(t_->space(), lifts_.at[v]));
+      owner = stars_.sites(owner)[nearest];
+    }
+    owner = number[owner.index()];
+  }
+  follow(d, std::vector<Offset>(d.vertex_count()));
+}
+
 /// One thread's pass over faces; gathers what they add to the cells they meet.
 class SurfaceCells::Sweep {
  public:
-  Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places)
+  Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places,
+        const std::vector<bool>* corner_in)
       : t_(*cells.t_),
         stars_(cells.stars_),
         lifts_(cells.lifts_),
         mass_(mass),
+        corner_in_(corner_in),
         cut_corners_(mass, stars_, lifts_),
         cut_others_(mass, stars_, lifts_, places),
         shares_(places.size()) {}
@@ -138,6 +159,9 @@ class SurfaceCells::Sweep {
     for (std::size_t i = first; i < last; ++i) {
       const Face f{static_cast<std::int32_t>(i)};
       const auto v = lifts_.corners(f);
+      if (corner_in_ && !has_corner_in(v)) {
+        continue;
+      }
       if (lies_in_one_cell(f, v)) {
         if (lifts_.owner[v[0]] != cell) {
           add(cell, sum);
@@ -161,6 +185,11 @@ class SurfaceCells::Sweep {
   }
 
  private:
+  [[nodiscard]] bool has_corner_in(const std::array<std::size_t, 3>& v) const {
+    return std::any_of(v.begin(), v.end(),
+                       [&](std::size_t i) { return (*corner_in_)[lifts_.owner[i].index()]; });
+  }
+
   void add(Vertex cell, const Moments& sum) {
     if (cell.id >= 0) {
       shares_.of(cell) += sum;
@@ -187,6 +216,7 @@ class SurfaceCells::Sweep {
   const Stars& stars_;
   const Lifts& lifts_;
   const SurfaceMass& mass_;
+  const std::vector<bool>* corner_in_;
   CutCorners cut_corners_;
   StraddlingFaces cut_others_;
   CellShares shares_;
@@ -194,11 +224,13 @@ class SurfaceCells::Sweep {
 };
 
 std::vector<Moments> SurfaceCells::moments(const SurfaceMass& mass,
-                                           const std::vector<Place>& places) const {
+                                           const std::vector<Place>& places,
+                                           const std::vector<bool>* corner_in) const {
   const std::size_t faces = t_->connectivity().face_count();
   const std::size_t chunks = (faces + chunk_size - 1) / chunk_size;
   std::vector<std::vector<CellShares::Share>> shares(chunks);
-  tbb::enumerable_thread_specific<Sweep> sweeps([&] { return Sweep(*this, mass, places); });
+  tbb::enumerable_thread_specific<Sweep> sweeps(
+      [&] { return Sweep(*this, mass, places, corner_in); });
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t k) {
     shares[k] = sweeps.local().run(k * chunk_size, std::min(faces, (k + 1) * chunk_size));
   });

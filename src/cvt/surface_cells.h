@@ -25,10 +25,18 @@ class SurfaceCells {
   /// Follows sites that moved to reached[i] in their own frames; d is Delaunay again.
   void follow(const DelaunayTriangulation& d, std::span<const Offset> reached);
 
+  /// Hands on what the cells of removed sites hold (marked by their old numbers, no two of them
+  /// neighbours). `number` has the new numbers by the old ones; d is Delaunay again.
+  void follow_removal(const DelaunayTriangulation& d, const std::vector<bool>& removed,
+                      const std::vector<Vertex>& number);
+
   /// Moments of every cell, each in its site's frame, for a density on the same T. In parallel; the
   /// same bits for any number of threads. `places` as in the constructor, where the sites are now.
+  ///
+  /// With `corner_in`, marks by site, only of faces with a corner in a cell so marked.
   [[nodiscard]] std::vector<Moments> moments(const SurfaceMass& mass,
-                                             const std::vector<Place>& places) const;
+                                             const std::vector<Place>& places,
+                                             const std::vector<bool>* corner_in = nullptr) const;
 
   /// The site whose cell a vertex of T lies in.
   [[nodiscard]] Vertex owner(Vertex of_t) const {

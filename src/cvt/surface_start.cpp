@@ -1,10 +1,12 @@
 #include "cvt/surface_start.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "cvt/defects.h"
 #include "cvt/initial_sites.h"
 #include "cvt/multilevel.h"
 #include "ucvt/error.h"
@@ -24,8 +26,15 @@ const OptimizeOptions settled{.evaluations = 100, .tolerance = 1e-3, .least_decr
 
 /// Random starts compete, with seeds so far apart, until so many evaluations after the coarsest levels:
 /// there energies tell which will be best in the end, on the first level they do not.
-constexpr int starts = 4, most_competing = 1000, trial_evaluations = 20;
+constexpr int starts = 2, most_competing = 1000, trial_evaluations = 20;
 constexpr std::uint64_t stride = 0x9E3779B97F4A7C15u;
+
+/// Defects are mended on levels of up to so many sites, so often: on larger ones few are left.
+struct Mending {
+  int sites, exchanges;
+};
+constexpr std::array mendings{Mending{1000, 3}, Mending{4000, 1}};
+const OptimizeOptions before_mending{.evaluations = 30, .tolerance = 1e-3, .least_decrease = 1e-4};
 
 /// Draws of random sites before giving up.
 constexpr int max_draws = 200;
@@ -105,9 +114,11 @@ class MultilevelStart {
       }
     }
     while (best.left > 0) {
-      best = finer(best, best.left == plan_.levels ? at_rest : settled);
+      best = finer(mended(best), best.left == plan_.levels ? at_rest : settled);
     }
-    if (ground(best).is_thinned()) {
+    if (mending(best)) {
+      best = mended(best);
+    } else if (ground(best).is_thinned()) {
       best = optimised(best, settled);
     }
     return best.points;
@@ -157,6 +168,26 @@ class MultilevelStart {
     const auto room = static_cast<std::size_t>(sites_on(out.left)) - sites.site_count();
     sites.split_edges(longest_edges(sites.delaunay(), room));
     out.points = at.to_t(sites.sites());
+    return out;
+  }
+
+  [[nodiscard]] const Mending* mending(const Level& level) const {
+    const auto* out = std::find_if(mendings.begin(), mendings.end(), [&](const Mending& m) {
+      return sites_on(level.left) <= m.sites;
+    });
+    return out == mendings.end() ? nullptr : out;
+  }
+
+  [[nodiscard]] Level mended(const Level& level) const {
+    const Mending* how = mending(level);
+    if (!how) {
+      return level;
+    }
+    const Ground& at = ground(level);
+    auto sites = std::make_unique<Tessellation>(at.mass(), at.from_t(level.points));
+    Level out = optimise(*sites, level, before_mending);
+    sites = mend_defects(std::move(sites), how->exchanges, monitor_);
+    out.points = at.to_t(sites->sites());
     return out;
   }
 

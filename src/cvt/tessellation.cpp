@@ -100,11 +100,16 @@ std::vector<SurfacePoint> Tessellation::sites() const {
 void Tessellation::move(const std::vector<Offset>& target) {
   std::vector<Offset> reached(target.size());
   for (std::size_t i = 0; i < target.size(); ++i) {
-    reached[i] = d_.move({static_cast<std::int32_t>(i)}, target[i]);
+    if (target[i].h > 0) {
+      reached[i] = d_.move({static_cast<std::int32_t>(i)}, target[i]);
+    }
   }
   d_.make_delaunay();
-  tbb::parallel_for(std::size_t{0}, places_.size(),
-                    [&](std::size_t i) { move_place(mass_.surface(), places_[i], reached[i]); });
+  tbb::parallel_for(std::size_t{0}, places_.size(), [&](std::size_t i) {
+    if (reached[i].h > 0) {
+      move_place(mass_.surface(), places_[i], reached[i]);
+    }
+  });
   cells_.follow(d_, reached);
 }
 
@@ -113,6 +118,15 @@ void Tessellation::measure(std::vector<CellState>& out) const {
   out.resize(moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i) {
     out[i] = {moments[i], d_.spacing({static_cast<std::int32_t>(i)})};
+  }
+}
+
+void Tessellation::measure(const std::vector<Vertex>& sites, const std::vector<bool>& near,
+                           std::vector<CellState>& out) const {
+  const std::vector<Moments> moments = cells_.moments(mass_, places_, &near);
+  out.clear();
+  for (const Vertex v : sites) {
+    out.push_back({moments[v.index()], d_.spacing(v)});
   }
 }
 
@@ -186,6 +200,24 @@ void Tessellation::split_edges(const std::vector<Halfedge>& edges) {
     d_.insert(m.from, {m.offset, {}});
   }
   cells_.follow(d_, std::vector<Offset>(places_.size()));
+}
+
+std::vector<Vertex> Tessellation::remove_sites(const std::vector<Vertex>& sites) {
+  std::vector<bool> removed(places_.size());
+  for (const Vertex v : sites) {
+    removed[v.index()] = true;
+    d_.remove(v);
+  }
+  std::vector<Vertex> number = d_.compact();
+  std::vector<Place> left;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (!removed[i]) {
+      left.push_back(places_[i]);
+    }
+  }
+  places_ = std::move(left);
+  cells_.follow_removal(d_, removed, number);
+  return number;
 }
 
 }  // namespace ucvt

@@ -39,6 +39,10 @@ class Tessellation : public SiteSystem {
   [[nodiscard]] Vertex owner(Vertex of_t) const { return cells_.owner(of_t); }
 
   void measure(std::vector<CellState>& out) const override;
+  /// Of some sites, in their order: what faces hold that have a corner in a cell marked in `near`, by
+  /// site. That is all when also the neighbours' cells are marked, and edges of T are shorter than cells.
+  void measure(const std::vector<Vertex>& sites, const std::vector<bool>& near,
+               std::vector<CellState>& out) const;
   /// Moves the sites and restores Delaunay.
   void move(const std::vector<Offset>& target) override;
   [[nodiscard]] std::vector<Spring> springs() const override;
@@ -56,6 +60,9 @@ class Tessellation : public SiteSystem {
   /// Adds sites at the middles of edges of D, one of each edge's halfedges being given. The sites
   /// before keep their numbers.
   void split_edges(const std::vector<Halfedge>& edges);
+
+  /// Takes sites away, no two of them neighbours. Returns the new numbers by the old ones.
+  std::vector<Vertex> remove_sites(const std::vector<Vertex>& sites);
 
  private:
   /// The edge of h; its ends differ.
