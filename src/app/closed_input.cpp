@@ -51,7 +51,8 @@ ClosedInput take(const TriangleMesh& mesh, const SharedArguments& shared, Surfac
     input.repair = repaired.report;
     input.file_vertex = std::move(repaired.input_vertex);
     input.file_face = std::move(repaired.input_face);
-  } else if (surfaces == Surfaces::ClosedAndOpen && has_boundary(mesh)) {
+  } else if (surfaces == Surfaces::ClosedAndOpen && input.counts.boundary_edges > 0 &&
+             has_boundary(mesh)) {
     input.open = open_surface(mesh);
     return input;
   } else {

@@ -1,7 +1,6 @@
 #include "cvt/surface_start.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -29,12 +28,10 @@ const OptimizeOptions settled{.evaluations = 100, .tolerance = 1e-3, .least_decr
 constexpr int starts = 2, most_competing = 1000, trial_evaluations = 20;
 constexpr std::uint64_t stride = 0x9E3779B97F4A7C15u;
 
-/// Defects are mended on levels of up to so many sites, so often: on larger ones few are left.
-struct Mending {
-  int sites, exchanges;
-};
-constexpr std::array mendings{Mending{1000, 3}, Mending{4000, 1}};
-const OptimizeOptions before_mending{.evaluations = 30, .tolerance = 1e-3, .least_decrease = 1e-4};
+/// Exchanges that mend defects on levels of so many sites at most, the larger ones only where T itself is
+/// their ground: where T is fine they take long for little. Still larger ones have few defects.
+constexpr int small_level = 1000, small_exchanges = 3, large_level = 4000, large_exchanges = 1;
+const OptimizeOptions before_mending{.evaluations = 25, .tolerance = 1e-3, .least_decrease = 1e-4};
 
 /// Draws of random sites before giving up.
 constexpr int max_draws = 200;
@@ -116,7 +113,7 @@ class MultilevelStart {
     while (best.left > 0) {
       best = finer(mended(best), best.left == plan_.levels ? at_rest : settled);
     }
-    if (mending(best)) {
+    if (exchanges(best) > 0) {
       best = mended(best);
     } else if (ground(best).is_thinned()) {
       best = optimised(best, settled);
@@ -171,22 +168,25 @@ class MultilevelStart {
     return out;
   }
 
-  [[nodiscard]] const Mending* mending(const Level& level) const {
-    const auto* out = std::find_if(mendings.begin(), mendings.end(), [&](const Mending& m) {
-      return sites_on(level.left) <= m.sites;
-    });
-    return out == mendings.end() ? nullptr : out;
+  [[nodiscard]] int exchanges(const Level& level) const {
+    if (!level.rested) {
+      return 0;
+    }
+    const int n = sites_on(level.left);
+    if (n <= small_level) {
+      return small_exchanges;
+    }
+    return n <= large_level && !ground(level).is_thinned() ? large_exchanges : 0;
   }
 
   [[nodiscard]] Level mended(const Level& level) const {
-    const Mending* how = mending(level);
-    if (!how) {
+    if (exchanges(level) == 0) {
       return level;
     }
     const Ground& at = ground(level);
     auto sites = std::make_unique<Tessellation>(at.mass(), at.from_t(level.points));
     Level out = optimise(*sites, level, before_mending);
-    sites = mend_defects(std::move(sites), how->exchanges, monitor_);
+    sites = mend_defects(std::move(sites), exchanges(level), monitor_);
     out.points = at.to_t(sites->sites());
     return out;
   }

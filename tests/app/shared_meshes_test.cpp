@@ -46,5 +46,18 @@ TEST(SharedMeshes, RefusedOnesAreStatusThreeAndOneLine) {
   EXPECT_GT(tried, 20);
 }
 
+/// Needles between fine and coarse parts: refinement ends only if the longest edge is split first.
+TEST(SharedMeshes, RefinementOfNeedlesEnds) {
+  const char* const meshes = std::getenv("UCVT_SHARED_MESHES");
+  if (meshes == nullptr) {
+    GTEST_SKIP() << "set UCVT_SHARED_MESHES to the folder of shared meshes";
+  }
+  const TemporaryFolder folder;
+  const std::string femur = (std::filesystem::path(meshes) / "genus2" / "femur.off").string();
+  const Outcome outcome = run({"remesh", femur, "-n", "1000", "--iterations", "0", "--time-limit",
+                               "60", "--memory-limit", "1000", "-o", folder.file("o.off")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
 }  // namespace
 }  // namespace ucvt::test

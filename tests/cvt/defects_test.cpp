@@ -141,6 +141,15 @@ TEST_P(LocalTest, MendingLowersTheEnergyOfRandomSites) {
   EXPECT_LT(c.place, 1e-9);
 }
 
+TEST_P(LocalTest, AnExchangeNeverRaisesTheEnergyOfSitesAtRest) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    auto sites = std::make_unique<Tessellation>(mass, oracle::random_points(t(), 150, seed));
+    settle(*sites, 300);
+    const double before = energy_of(*sites);
+    EXPECT_LE(energy_of(*mend_defects(std::move(sites), 1, {})), before) << seed;
+  }
+}
+
 TEST_P(LocalTest, SitesTakenAwayLeaveTheSameAsNeverPut) {
   Tessellation sites(mass, oracle::random_points(t(), 150, 11));
   const Connectivity& d = sites.delaunay().connectivity();
