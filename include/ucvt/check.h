@@ -14,15 +14,17 @@ struct SelfCheck {
   double circle = 0;             ///< largest relative depth of a site inside a circle of D
   double place =
       0;  ///< largest distance of a site from where D's offsets lead on T, over the offset
+  double mirror = 0;  ///< of an open surface: a cell's area against its mirror image's, relative
 };
 
 /// Measures a result of `remesh`.
 SelfCheck measure_errors(const RemeshResult& result);
 
 /// Throws NumericalError, naming the property, its value and its bound, when a result of `remesh` is
-/// not what it must be: a dual mesh of the input's Euler number, closed and oriented; angle sums of
+/// not what it must be: a dual mesh of the input's Euler number and boundary loops, oriented; angle sums of
 /// 2 pi on T (1e-9) and round the sites (1e-6); D's area (1e-6) and the cells' mass (1e-6) those of
-/// the surface; D Delaunay (1e-6) and where the sites are (1e-5). What the numbers are in sound runs
+/// the surface; D Delaunay (1e-6) and where the sites are (1e-5); of an open surface, cells and their
+/// mirror images alike (1e-6). What the numbers are in sound runs
 /// is in docs/robustness.md; requires a result with its cells.
 void check(const RemeshResult& result);
 

@@ -63,7 +63,6 @@ void refuse_what_open_surfaces_lack(const RemeshArguments& a, const ClosedInput&
     }
   };
   check(!a.checkpoint.path.empty(), "--checkpoint");
-  check(a.check, "--check");
   check(!a.init_file.empty(), "--init");
   check(a.options.init == InitialSites::Random, "--init random");
   check(!a.figures.figure.empty() && a.figures.show == SurfaceShow::Cells, "--show cells");
@@ -72,10 +71,12 @@ void refuse_what_open_surfaces_lack(const RemeshArguments& a, const ClosedInput&
 
 std::vector<RemeshResult> computed(const RemeshArguments& arguments, const ClosedInput& input,
                                    const RemeshOptions& options) {
+  std::vector<RemeshResult> results;
   if (input.open) {
-    return {remesh(*input.open, options)};
+    results.push_back(remesh(*input.open, options));
+  } else {
+    results = remesh(input.components, options);
   }
-  std::vector<RemeshResult> results = remesh(input.components, options);
   if (arguments.check || always_checked) {
     for (const RemeshResult& result : results) {
       check(result);

@@ -17,7 +17,8 @@ namespace {
 
 /// Bounds far above rounding and far below what could be seen in a mesh.
 constexpr double most_surface_angle_rad = 1e-9, most_site_angle_rad = 1e-6;
-constexpr double most_area = 1e-6, most_mass = 1e-6, most_circle = 1e-6, most_place = 1e-5;
+constexpr double most_area = 1e-6, most_mass = 1e-6, most_circle = 1e-6, most_place = 1e-5,
+                 most_mirror = 1e-6;
 
 double angle_error(const UniformSurface& t) {
   std::vector<double> sum(t.connectivity().vertex_count());
@@ -34,6 +35,35 @@ double angle_error(const UniformSurface& t) {
 
 double relative(double value, double wanted) {
   return std::abs(value - wanted) / wanted;
+}
+
+/// Sites of an open surface: those on its boundary, then pair by pair. Areas on T: the density is linear
+/// over its faces, which need not be symmetric where two pairs of them lie on one circle.
+double mirror_error(const RemeshResult& result, const SurfaceCells& found) {
+  const UniformSurface& t = result.surface.value().surface;
+  const std::vector<Moments> cells = found.moments(
+      SurfaceMass(t, std::vector<double>(result.density.size(), 1.0)), result.cells->places);
+  const std::size_t on_line = 2 * result.mesh.positions.size() - cells.size();
+  double worst = 0;
+  for (std::size_t i = on_line; i < cells.size(); i += 2) {
+    worst = std::max(worst, relative(cells[i].m, cells[i + 1].m));
+  }
+  return worst;
+}
+
+void check_topology(const RemeshResult& result) {
+  const RemeshReport& r = result.report;
+  const MeshSurvey found = survey(result.mesh);
+  const std::int64_t euler = 2 - 2 * r.genus - r.boundary_loops;
+  const std::int64_t whole = r.boundary_loops > 0 ? 2 * euler : euler;
+  const Connectivity& t = result.surface.value().surface.connectivity();
+  if (found.euler_number != euler || found.boundary_loops != r.boundary_loops ||
+      t.euler_number() != whole || result.cells->delaunay.connectivity().euler_number() != whole) {
+    throw NumericalError(
+        fmt::format("the self-check failed: {} vertices and {} faces with {} boundary loops do not "
+                    "have the Euler number {} and {} loops",
+                    found.vertices, found.faces, found.boundary_loops, euler, r.boundary_loops));
+  }
 }
 
 void require(const char* what, double value, double most) {
@@ -53,8 +83,8 @@ SelfCheck measure_errors(const RemeshResult& result) {
   for (std::size_t f = 0; f < t.connectivity().face_count(); ++f) {
     area += t.area({static_cast<std::int32_t>(f)});
   }
-  for (const Moments& m :
-       SurfaceCells(t, cells.delaunay, cells.places).moments(mass, cells.places)) {
+  const SurfaceCells found(t, cells.delaunay, cells.places);
+  for (const Moments& m : found.moments(mass, cells.places)) {
     in_cells += m.m;
   }
   const Consistency c = measure_consistency(t, cells.delaunay, cells.places);
@@ -63,19 +93,12 @@ SelfCheck measure_errors(const RemeshResult& result) {
           relative(cells.delaunay.area(), area),
           relative(in_cells, mass.total()),
           c.circle,
-          c.place};
+          c.place,
+          result.report.boundary_loops > 0 ? mirror_error(result, found) : 0};
 }
 
 void check(const RemeshResult& result) {
-  const auto vertices = static_cast<std::int64_t>(result.mesh.positions.size());
-  const auto faces = static_cast<std::int64_t>(result.mesh.faces.size());
-  const std::int64_t euler = result.surface.value().surface.connectivity().euler_number();
-  if (2 * vertices - faces != 2 * euler ||
-      result.cells->delaunay.connectivity().euler_number() != euler) {
-    throw NumericalError(fmt::format(
-        "the self-check failed: {} vertices and {} faces do not have the Euler number {}", vertices,
-        faces, euler));
-  }
+  check_topology(result);
   const SelfCheck found = measure_errors(result);
   require("the error of an angle sum of the uniform surface", found.surface_angle_rad,
           most_surface_angle_rad);
@@ -84,6 +107,7 @@ void check(const RemeshResult& result) {
   require("the error of the cells' mass", found.mass, most_mass);
   require("the depth of a site in another's circle", found.circle, most_circle);
   require("the distance of a site from where its neighbours see it", found.place, most_place);
+  require("the difference of a cell's area from its mirror image's", found.mirror, most_mirror);
 }
 
 }  // namespace ucvt

@@ -71,8 +71,8 @@ std::vector<ModelMatrix> on_sphere(const CellComplex& cells, const UniformSurfac
 
 CoverCells cover_cells(const RemeshResult& result, const CentredPolygon* polygon,
                        const Cover* cover) {
-  if (!result.cells) {
-    throw InvalidInput("the result keeps no cells; take it from remesh");
+  if (!result.cells || result.report.boundary_loops > 0) {
+    throw InvalidInput("only a closed surface's cells can be developed; take them from remesh");
   }
   const CellComplex& complex = *result.cells;
   const DelaunayTriangulation& d = complex.delaunay;

@@ -15,6 +15,7 @@
 #include "mesh/doubled_surface.h"
 #include "mesh/edge_bisection.h"
 #include "result/boundary_curves.h"
+#include "result/cell_complex.h"
 #include "result/density.h"
 #include "result/half_mesh.h"
 #include "ucvt/error.h"
@@ -322,6 +323,7 @@ class OpenRemesher {
     r.simplicial = half.edges_not_simplicial().empty();
     r.sites_added = added_;
     r.quality = measure_quality(out.mesh);
+    out.cells = cell_complex(sites_->tessellation());
     return out;
   }
 

@@ -267,6 +267,9 @@ PartitionCell measure_cell(const DelaunayTriangulation& d, Vertex site) {
 }  // namespace
 
 Partition partition(const RemeshResult& result) {
+  if (!result.cells || result.report.boundary_loops > 0) {
+    throw InvalidInput("only the cells of a closed surface can be cut out; take them from remesh");
+  }
   const Uniformized& t = result.surface.value();
   const CellComplex& complex = *result.cells;
   Overlay overlay = overlay_of(t, complex);

@@ -4,6 +4,7 @@
 
 #include "conformal/uniformize.h"
 #include "oracle/meshes.h"
+#include "oracle/open_meshes.h"
 #include "result/cell_complex.h"
 #include "ucvt/error.h"
 
@@ -68,6 +69,53 @@ TEST(SelfCheck, FindsASiteThatIsElsewhere) {
 TEST(SelfCheck, FindsAMissingFace) {
   RemeshResult result = remeshed(oracle::grid_torus(20, 12), 100);
   result.mesh.faces.pop_back();
+  EXPECT_THROW(check(result), NumericalError);
+}
+
+RemeshResult open_remeshed(const TriangleMesh& mesh, int sites) {
+  RemeshOptions options;
+  options.sites = sites, options.iterations = 100;
+  return remesh(open_surface(mesh), options);
+}
+
+TEST(SelfCheck, SoundOpenResultsPassByAWideMargin) {
+  for (const auto& [mesh, sites] : {std::pair{oracle::plate(6), 120},
+                                    {oracle::tube(24, 20), 150},
+                                    {oracle::torus_with_holes(1), 150},
+                                    {oracle::torus_with_holes(2), 150}}) {
+    const RemeshResult result = open_remeshed(mesh, sites);
+    EXPECT_NO_THROW(check(result));
+    const SelfCheck found = measure_errors(result);
+    EXPECT_LT(found.site_angle_rad, 1e-9);
+    EXPECT_LT(found.mass, 1e-9);
+    EXPECT_LT(found.circle, 1e-9);
+    EXPECT_LT(found.place, 1e-8);
+    EXPECT_LT(found.mirror, 1e-9);
+  }
+}
+
+TEST(SelfCheck, FindsAnOpenResultThatIsNotItsMirrorImage) {
+  RemeshResult result = open_remeshed(oracle::tube(24, 20), 150);
+  const UniformSurface& t = result.surface.value().surface;
+  const SurfaceMass mass(t, result.density);
+  std::vector<SurfacePoint> points;
+  for (const Site& s : result.sites) {
+    points.push_back({{s.face}, s.bary});
+  }
+  // The last site by itself, a tenth of the way to the middle of its face.
+  for (double& b : points.back().bary) {
+    b = 0.9 * b + 0.1 / 3;
+  }
+  result.cells = cell_complex(Tessellation(mass, points));
+  const SelfCheck found = measure_errors(result);
+  EXPECT_LT(found.place, 1e-8);
+  EXPECT_GT(found.mirror, 1e-4);
+  EXPECT_THROW(check(result), NumericalError);
+}
+
+TEST(SelfCheck, FindsAHoleTooMany) {
+  RemeshResult result = open_remeshed(oracle::tube(24, 20), 150);
+  result.mesh.faces.erase(result.mesh.faces.begin());
   EXPECT_THROW(check(result), NumericalError);
 }
 
