@@ -49,7 +49,7 @@ void undo_split(const Change& c, HomogeneousPoint& p) {
   } else if (p.face == c.t.face()) {
     const double n = w[slot(c.t)] / 2;
     place(p, {c.t, tn, tp}, {n, w[slot(tn)] + n, w[slot(tp)]});
-  } else if (p.face == c.added) {
+  } else if (p.face == c.added[0]) {
     place(p, {c.h, hn, hp}, {w[0] / 2, w[1] + w[0] / 2, w[2]});
   } else {
     place(p, {c.t, tn, tp}, {w[0] + w[1] / 2, w[1] / 2, w[2]});
@@ -64,7 +64,8 @@ void ChangeLog::undo(std::vector<HomogeneousPoint>& points) const {
     faces = std::max(faces, p.face.id + 1);
   }
   for (const Change& c : changes_) {
-    faces = std::max({faces, c.h.face().id + 1, c.t.face().id + 1, c.added.id + 2});
+    faces = std::max(
+        {faces, c.h.face().id + 1, c.t.face().id + 1, c.added[0].id + 1, c.added[1].id + 1});
   }
   // Points by face, as chains: first[f] and next[point].
   std::vector<std::int32_t> first(static_cast<std::size_t>(faces), -1), next(points.size());
@@ -86,15 +87,36 @@ void ChangeLog::undo(std::vector<HomogeneousPoint>& points) const {
     };
     take(c->h.face());
     take(c->t.face());
-    if (c->added.id >= 0) {
-      take(c->added);
-      take({c->added.id + 1});
+    if (c->added[0].id >= 0) {
+      take(c->added[0]);
+      take(c->added[1]);
     }
     for (const std::size_t p : here) {
-      c->added.id < 0 ? undo_flip(*c, points[p]) : undo_split(*c, points[p]);
+      c->added[0].id < 0 ? undo_flip(*c, points[p]) : undo_split(*c, points[p]);
       link(p);
     }
   }
+  for (HomogeneousPoint& p : points) {
+    p.face = first_name(p.face);
+  }
+}
+
+void ChangeLog::renumber(const std::vector<Face>& to) {
+  const auto renumbered = [&to](Halfedge h) {
+    return Halfedge{3 * to[h.face().index()].id + h.id % 3};
+  };
+  for (Change& c : changes_) {
+    c.h = renumbered(c.h), c.t = renumbered(c.t);
+    for (Face& f : c.added) {
+      f = f.id < 0 ? f : to[f.index()];
+    }
+  }
+  std::vector<Face> names(to.size());
+  for (std::size_t f = 0; f < to.size(); ++f) {
+    names[to[f].index()] =
+        f < first_name_.size() ? first_name_[f] : Face{static_cast<std::int32_t>(f)};
+  }
+  first_name_ = std::move(names);
 }
 
 }  // namespace ucvt

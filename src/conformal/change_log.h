@@ -16,10 +16,10 @@ namespace ucvt {
 
 /// One recorded change. With h from i to j in face (i, j, k) and t its twin in face (j, i, m) before
 /// it: a flip as in Connectivity::flip, or a split of the edge in its middle as in
-/// Connectivity::split_edge, which added `added` and the face after it.
+/// Connectivity::split_edge, which added two faces.
 struct Change {
   Halfedge h, t;
-  Face added;                         ///< id -1: a flip
+  std::array<Face, 2> added;          ///< ids -1: a flip
   double i = 0, j = 0, k = 0, m = 0;  ///< of a flip, up to a common factor
 };
 
@@ -33,17 +33,26 @@ struct HomogeneousPoint {
 class ChangeLog {
  public:
   void add_flip(Halfedge h, Halfedge t, double i, double j, double k, double m) {
-    changes_.push_back({h, t, Face{}, i, j, k, m});
+    changes_.push_back({h, t, {}, i, j, k, m});
   }
-  void add_split(Halfedge h, Halfedge t, Face added) { changes_.push_back({h, t, added}); }
+  void add_split(Halfedge h, Halfedge t, std::array<Face, 2> added) {
+    changes_.push_back({h, t, added});
+  }
+  /// Face f is called to[f] from now on, and in the changes so far.
+  void renumber(const std::vector<Face>& to);
   [[nodiscard]] std::size_t size() const { return changes_.size(); }
   [[nodiscard]] const std::vector<Change>& changes() const { return changes_; }
+  /// What a face was called before it was renumbered; before the first change the input's number.
+  [[nodiscard]] Face first_name(Face f) const {
+    return first_name_.empty() ? f : first_name_[f.index()];
+  }
 
-  /// Carries points from after the last change to before the first one.
+  /// Carries points from after the last change to before the first one, and to the input's faces.
   void undo(std::vector<HomogeneousPoint>& points) const;
 
  private:
   std::vector<Change> changes_;
+  std::vector<Face> first_name_;  ///< empty: never renumbered
 };
 
 }  // namespace ucvt

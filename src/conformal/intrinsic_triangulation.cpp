@@ -100,6 +100,44 @@ void flip_to_delaunay(IntrinsicTriangulation& t, std::vector<Halfedge> stack) {
   }
 }
 
+/// Faces in an order in which neighbours stay near each other while faces are added.
+class FaceOrder {
+ public:
+  explicit FaceOrder(std::size_t faces) : next_(faces) {
+    for (std::size_t f = 0; f < faces; ++f) {
+      next_[f] = static_cast<std::int32_t>(f + 1 < faces ? f + 1 : 0);
+    }
+  }
+  /// Requires the added face to have the next number.
+  void put_after(Face f, Face added) {
+    next_.push_back(next_[f.index()]);
+    next_[f.index()] = added.id;
+  }
+  /// The places of all faces, from face 0 on.
+  [[nodiscard]] std::vector<Face> numbers() const {
+    std::vector<Face> out(next_.size());
+    std::int32_t place = 0, f = 0;
+    do {
+      out[static_cast<std::size_t>(f)] = {place++};
+      f = next_[static_cast<std::size_t>(f)];
+    } while (f != 0);
+    return out;
+  }
+
+ private:
+  std::vector<std::int32_t> next_;
+};
+
+/// Face f gets the number to[f].
+void renumber_faces(IntrinsicTriangulation& t, const std::vector<Face>& to) {
+  t.connectivity.renumber_faces(to);
+  const std::vector<double> old = t.log_length;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    t.log_length[3 * to[i / 3].index() + i % 3] = old[i];
+  }
+  t.log.renumber(to);
+}
+
 void mollify(std::vector<double>& length) {
   double mean = 0, missing = 0;
   std::size_t degenerate = 0;
@@ -190,6 +228,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
       push(h);
     }
   }
+  FaceOrder order(t.connectivity.face_count());
   while (!queue.empty()) {
     const auto [l, id] = queue.top();
     queue.pop();
@@ -203,14 +242,17 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     const double to_k = std::log(std::hypot(k.x - k.base / 2, k.y));
     const double to_m = std::log(std::hypot(m.x - m.base / 2, m.y));
     const double jk = t.log_length[h.next().index()], mj = t.log_length[twin.prev().index()];
-    const Face added{static_cast<std::int32_t>(t.connectivity.face_count())};
+    const auto faces = static_cast<std::int32_t>(t.connectivity.face_count());
+    const std::array<Face, 2> added{Face{faces}, Face{faces + 1}};
     const double between = wanted(h);
     t.connectivity.split_edge(h);
     size.push_back(between);
     t.log.add_split(h, twin, added);
     ++t.splits;
     t.log_length.resize(t.connectivity.halfedge_count());
-    const auto a = halfedges(added), b = halfedges({added.id + 1});
+    order.put_after(h.face(), added[0]);
+    order.put_after(twin.face(), added[1]);
+    const auto a = halfedges(added[0]), b = halfedges(added[1]);
     set_length(t, h, half), set_length(t, a[0], half);
     set_length(t, h.next(), to_k), set_length(t, twin.prev(), to_m);
     t.log_length[a[1].index()] = jk, t.log_length[b[2].index()] = mj;
@@ -228,6 +270,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
       push(g);
     }
   }
+  renumber_faces(t, order.numbers());
 }
 
 std::vector<double> euclidean_vertex_areas(const IntrinsicTriangulation& t) {

@@ -32,7 +32,8 @@ void make_euclidean_delaunay(IntrinsicTriangulation& t);
 
 /// Splits edges in their middle, longest first, until none is longer than the mean of the sizes
 /// wanted at its ends, keeping the triangulation Delaunay. `size` (positive, by vertex) grows with
-/// it: a new vertex gets the mean of the ends it lies between. Requires a Delaunay triangulation.
+/// it: a new vertex gets the mean of the ends it lies between. Faces are renumbered, each new one next to
+/// that which it was cut from: memory keeps the order of space. Requires a Delaunay triangulation.
 void refine(IntrinsicTriangulation& t, std::vector<double>& size);
 
 /// A third of the Euclidean area of each vertex' star.

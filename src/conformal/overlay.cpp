@@ -141,7 +141,7 @@ void Overlay::undo_flip(const Change& c) {
 
 void Overlay::undo_split(const Change& c) {
   const Halfedge hn = c.h.next(), hp = c.h.prev(), tn = c.t.next(), tp = c.t.prev();
-  const auto a = halfedges(c.added), b = halfedges({c.added.id + 1});
+  const auto a = halfedges(c.added[0]), b = halfedges(c.added[1]);
   const bool crossed = is_crossed(c.h) || is_crossed(a[0]);
   if ((is_crossed(hn) && !crossed && !is_crossed(hp) && !is_crossed(a[1])) ||
       (is_crossed(tp) && !crossed && !is_crossed(tn) && !is_crossed(b[2]))) {
@@ -184,7 +184,13 @@ void Overlay::undo(const ChangeLog& log, std::size_t euclidean) {
       }
     }
     const Change& c = log.changes()[n];
-    c.added.id < 0 ? undo_flip(c) : undo_split(c);
+    c.added[0].id < 0 ? undo_flip(c) : undo_split(c);
+  }
+  const std::vector<Dart> renumbered = anchor_;
+  for (std::size_t i = 0; i < anchor_.size(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    const Face f = log.first_name(h.face());
+    anchor_[3 * f.index() + i % 3] = renumbered[i];
   }
 }
 

@@ -224,4 +224,19 @@ void Connectivity::renumber(const std::vector<Vertex>& to) {
   }
 }
 
+void Connectivity::renumber_faces(const std::vector<Face>& to) {
+  const auto renumbered = [&to](Halfedge h) {
+    return Halfedge{3 * to[h.face().index()].id + h.id % 3};
+  };
+  const std::vector<Vertex> origin = origin_;
+  const std::vector<Halfedge> twin = twin_;
+  for (std::size_t i = 0; i < origin.size(); ++i) {
+    const Halfedge g = renumbered({narrow(i)});
+    origin_[g.index()] = origin[i], twin_[g.index()] = renumbered(twin[i]);
+  }
+  for (Halfedge& h : out_) {
+    h = h.id >= 0 ? renumbered(h) : h;
+  }
+}
+
 }  // namespace ucvt

@@ -115,6 +115,8 @@ class Connectivity {
 
   /// Gives vertex v the number to[v], a permutation.
   void renumber(const std::vector<Vertex>& to);
+  /// Gives face f the number to[f], a permutation. Requires that no face was removed.
+  void renumber_faces(const std::vector<Face>& to);
 
  private:
   void glue(Halfedge a, Halfedge b) {

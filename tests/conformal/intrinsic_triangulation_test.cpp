@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -269,6 +270,29 @@ TEST(ChangeLog, PointsOfRefinedFlatSurfacesComeBackWhereTheyAre) {
   }
   // Most edges lie in one side of the cube and are as long as in the metric.
   EXPECT_GT(compared, static_cast<int>(points.size()) / 2);
+}
+
+TEST(Refine, FacesThatAreNeighboursHaveNumbersNearEachOther) {
+  const TriangleMesh mesh = oracle::grid_torus(20, 12);
+  IntrinsicTriangulation t = intrinsic_triangulation(mesh);
+  make_euclidean_delaunay(t);
+  std::vector<double> size(mesh.positions.size(), 0.03);
+  refine(t, size);
+  const Connectivity& c = t.connectivity;
+  ASSERT_GT(c.face_count(), 20 * mesh.faces.size());
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < c.halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    near += std::abs(c.twin(h).face().id - h.face().id) < 200 ? 1 : 0;
+  }
+  EXPECT_GT(near, c.halfedge_count() * 3 / 4);
+  // The input's numbers are not lost, each once.
+  std::set<std::int32_t> names;
+  for (std::size_t f = 0; f < c.face_count(); ++f) {
+    names.insert(t.log.first_name({static_cast<std::int32_t>(f)}).id);
+  }
+  EXPECT_EQ(names.size(), c.face_count());
+  EXPECT_EQ(*names.rbegin(), static_cast<std::int32_t>(c.face_count()) - 1);
 }
 
 }  // namespace

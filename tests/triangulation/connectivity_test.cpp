@@ -301,5 +301,26 @@ TEST(Connectivity, LawsSurviveRandomSequences) {
   }
 }
 
+TEST(Connectivity, RenumberedFacesKeepTheirNeighbours) {
+  const TriangleMesh mesh = oracle::grid_torus(7, 5);
+  const Connectivity before(mesh.positions.size(), mesh.faces);
+  std::vector<Face> to;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    to.push_back({static_cast<std::int32_t>((f * 9 + 4) % mesh.faces.size())});  // 70 faces
+  }
+  Connectivity after = before;
+  after.renumber_faces(to);
+  const auto now = [&](Halfedge h) { return Halfedge{3 * to[h.face().index()].id + h.id % 3}; };
+  for (std::size_t i = 0; i < before.halfedge_count(); ++i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    EXPECT_EQ(after.origin(now(h)), before.origin(h));
+    EXPECT_EQ(after.twin(now(h)), now(before.twin(h)));
+  }
+  for (std::size_t v = 0; v < before.vertex_count(); ++v) {
+    const Vertex vertex{static_cast<std::int32_t>(v)};
+    EXPECT_EQ(after.outgoing(vertex), now(before.outgoing(vertex)));
+  }
+}
+
 }  // namespace
 }  // namespace ucvt
