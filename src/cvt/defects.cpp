@@ -115,7 +115,7 @@ double energy_of(const std::vector<CellState>& cells) {
   return sum;
 }
 
-enum class Change { Remove, Add };
+enum class Change : char { Remove, Add };
 
 class Mender {
  public:

@@ -142,12 +142,12 @@ class SurfaceCells::Sweep {
  public:
   Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places,
         const std::vector<bool>* corner_in)
-      : t_(*cells.t_),
+      : cut_corners_(mass, cells.stars_, cells.lifts_),
+        t_(*cells.t_),
         stars_(cells.stars_),
         lifts_(cells.lifts_),
         mass_(mass),
         corner_in_(corner_in),
-        cut_corners_(mass, stars_, lifts_),
         cut_others_(mass, stars_, lifts_, places),
         shares_(places.size()) {}
 
@@ -212,12 +212,12 @@ class SurfaceCells::Sweep {
     return true;
   }
 
+  CutCorners cut_corners_;
   const UniformSurface& t_;
   const Stars& stars_;
   const Lifts& lifts_;
   const SurfaceMass& mass_;
   const std::vector<bool>* corner_in_;
-  CutCorners cut_corners_;
   StraddlingFaces cut_others_;
   CellShares shares_;
   std::vector<Face> straddling_, others_;  // of the chunk at hand

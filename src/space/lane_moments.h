@@ -9,8 +9,10 @@ namespace ucvt {
 using Lanes [[gnu::vector_size(32)]] = double;
 
 /// A function compiled for wide registers too, where the compiler can choose at run time; no
-/// operation is fused, so that the bits are the same.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+/// operation is fused, so that the bits are the same. Not for ThreadSanitizer, which is not there yet
+/// when the choice is made, before the program starts.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_THREAD__)
 #define UCVT_WIDE [[gnu::target_clones("avx2", "default")]]
 #else
 #define UCVT_WIDE
