@@ -95,7 +95,7 @@ class MultilevelStart {
     }
   }
 
-  [[nodiscard]] std::vector<SurfacePoint> sites(std::uint64_t seed) const {
+  [[nodiscard]] std::vector<SurfacePoint> sites(std::uint64_t seed) {
     if (plan_.levels == 0) {
       return {};
     }
@@ -104,6 +104,12 @@ class MultilevelStart {
       --left;
     }
     Level best = start(left, seed);
+    if (!best.rested && plan_.levels > 1) {
+      // So few do not resolve the density: the level that they would be split into comes first.
+      --plan_.levels;
+      left = std::min(left, plan_.levels);
+      best = start(left, seed);
+    }
     for (int k = 1; k < starts && best.rested; ++k) {
       Level other = start(left, seed += stride);
       if (other.energy < best.energy) {
