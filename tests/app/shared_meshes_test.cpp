@@ -55,7 +55,7 @@ TEST(SharedMeshes, RefinementOfNeedlesEnds) {
   const TemporaryFolder folder;
   const std::string femur = (std::filesystem::path(meshes) / "genus2" / "femur.off").string();
   const Outcome outcome = run({"remesh", femur, "-n", "1000", "--iterations", "0", "--time-limit",
-                               "60", "--memory-limit", "1000", "-o", folder.file("o.off")});
+                               "100", "-o", folder.file("o.off")});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
