@@ -34,6 +34,9 @@ Monitor ProgressLine::monitor() {
 }
 
 bool ProgressLine::tell(const Progress& progress) {
+  if (supervisor_.stop_asked()) {
+    return false;  // the last line is the supervisor's
+  }
   if (verbose_) {
     const std::string line = described(progress) + "\n";
     std::fwrite(line.data(), 1, line.size(), stderr);
@@ -41,7 +44,7 @@ bool ProgressLine::tell(const Progress& progress) {
     next_ = now + between_rewrites;
     rewrite(described(progress));
   }
-  return !supervisor_.stop_asked();
+  return true;
 }
 
 void ProgressLine::rewrite(const std::string& text) {
