@@ -38,8 +38,9 @@ struct Partition {
 /// Every face of the result lies in one face of the input and in one cell. The result is a closed
 /// oriented manifold of the input's genus, and every cell's inside is one open disk, by construction
 /// (its closure is a disk when the dual mesh is simplicial). Boundaries are where doubles put them,
-/// to about 1e-9 of T's faces. Throws InvalidInput for an open surface, NumericalError when all boundaries lie inside one input face,
-/// or when doubles do not tell the boundaries apart. Source: docs/mapping-back.md.
+/// to about 1e-9 of T's faces. Throws InvalidInput for an open surface, NumericalError when all
+/// boundaries lie inside one input face, or when doubles do not tell the boundaries apart. Source:
+/// docs/mapping-back.md.
 Partition partition(const RemeshResult& result);
 
 /// Writes the cut surface as PLY: face properties `cell`, `red`, `green`,

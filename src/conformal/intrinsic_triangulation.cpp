@@ -100,6 +100,11 @@ void flip_to_delaunay(IntrinsicTriangulation& t, std::vector<Halfedge> stack) {
   }
 }
 
+/// The mean of the sizes at the ends of h.
+double wanted_length(const IntrinsicTriangulation& t, const std::vector<double>& size, Halfedge h) {
+  return (size[t.connectivity.origin(h).index()] + size[t.connectivity.head(h).index()]) / 2;
+}
+
 /// Faces in an order in which neighbours stay near each other while faces are added.
 class FaceOrder {
  public:
@@ -211,14 +216,11 @@ void make_euclidean_delaunay(IntrinsicTriangulation& t) {
 }
 
 void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
-  const auto wanted = [&](Halfedge h) {
-    return (size[t.connectivity.origin(h).index()] + size[t.connectivity.head(h).index()]) / 2;
-  };
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry> queue;
   const auto push = [&](Halfedge h) {
     const double l = t.log_length[h.index()];
-    if (l > std::log(wanted(h))) {
+    if (l > std::log(wanted_length(t, size, h))) {
       queue.push({l, h.id});
     }
   };
@@ -244,7 +246,7 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     const double jk = t.log_length[h.next().index()], mj = t.log_length[twin.prev().index()];
     const auto faces = static_cast<std::int32_t>(t.connectivity.face_count());
     const std::array<Face, 2> added{Face{faces}, Face{faces + 1}};
-    const double between = wanted(h);
+    const double between = wanted_length(t, size, h);
     t.connectivity.split_edge(h);
     size.push_back(between);
     t.log.add_split(h, twin, added);

@@ -174,6 +174,7 @@ class MultilevelStart {
     return out;
   }
 
+  /// That are worth their time on this level.
   [[nodiscard]] int exchanges(const Level& level) const {
     if (!level.rested) {
       return 0;
@@ -185,6 +186,7 @@ class MultilevelStart {
     return n <= large_level && !ground(level).is_thinned() ? large_exchanges : 0;
   }
 
+  /// Settled and with fewer defects; the level itself where no exchange is worth its time.
   [[nodiscard]] Level mended(const Level& level) const {
     if (exchanges(level) == 0) {
       return level;
