@@ -1,9 +1,6 @@
 // Where the vertices of T lie: in which cell, and where in that cell's site's frame.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "cvt/cell_walk.h"
@@ -11,27 +8,10 @@
 
 namespace ucvt {
 
-/// The vertices of T in an order in which those of one face are near each other in memory: as faces,
-/// which lie along a space-filling curve, first have them.
-struct VertexOrder {
-  explicit VertexOrder(const Connectivity& t);
-
-  std::vector<std::int32_t> rank;                   ///< by vertex
-  std::vector<std::array<std::int32_t, 3>> corner;  ///< by face: the ranks of its corners
-};
-
-/// By rank of the vertex.
+/// By rank of the vertex in T's `vertex_order`.
 struct Lifts {
-  std::shared_ptr<const VertexOrder> order;
   std::vector<Offset> at;
   std::vector<Vertex> owner;
-
-  /// The ranks of a face's corners.
-  [[nodiscard]] std::array<std::size_t, 3> corners(Face f) const {
-    const auto& c = order->corner[f.index()];
-    return {static_cast<std::size_t>(c[0]), static_cast<std::size_t>(c[1]),
-            static_cast<std::size_t>(c[2])};
-  }
 };
 
 /// Two points of a frame are the ends of an edge when their squared chord is its own within this part.

@@ -17,7 +17,7 @@ Barycentric between(const Barycentric& p, const Barycentric& q, double s) {
 }  // namespace
 
 void StraddlingFaces::add(Face f, CellShares& out) {
-  const auto v = lifts_.corners(f);
+  const auto v = t_.vertex_order().corners(f);
   for (std::size_t i = 0; i < 3; ++i) {
     lift_[i] = {lifts_.at[v[i]], lifts_.owner[v[i]]};
   }
@@ -194,7 +194,8 @@ bool StraddlingFaces::cut(const double (&at)[3]) {
   return any;
 }
 
-/// Integrates the parts of the face; the one with the most corners gets what the others leave.
+/// Integrates the parts of the face; the one with the most corners gets what the others leave. The
+/// corners' shares are taken back.
 void StraddlingFaces::share_out(Face f, CellShares& out) {
   std::size_t rest = 0;
   for (std::size_t n = 1; n < visits_.size(); ++n) {
@@ -203,7 +204,7 @@ void StraddlingFaces::share_out(Face f, CellShares& out) {
     }
   }
   const FacePieces& face = mass_.pieces(f);
-  Weights left = mass_.weights(f);
+  Weights left = face.weights;
   for (std::size_t n = 0; n < visits_.size(); ++n) {
     const Visit& v = visits_[n];
     if (n == rest || v.size == 0) {
@@ -214,10 +215,13 @@ void StraddlingFaces::share_out(Face f, CellShares& out) {
     for (std::size_t i = 1; i + 1 < v.size; ++i) {
       piece += integrate_piece(space_, face.triangle, face.density, p[0], p[i], p[i + 1]);
     }
-    out.of(v.site) += moments_of(piece, v.corner);
+    out.of(v.site) += moments_of(space_, piece, v.corner);
     left -= piece;
   }
-  out.of(visits_[rest].site) += moments_of(left, visits_[rest].corner);
+  out.of(visits_[rest].site) += moments_of(space_, left, visits_[rest].corner);
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.of(lift_[i].owner) -= face.share(i).moments(space_, lift_[i].at);
+  }
 }
 
 }  // namespace ucvt

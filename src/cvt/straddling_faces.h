@@ -25,7 +25,7 @@ class StraddlingFaces {
         lifts_(lifts),
         places_(places) {}
 
-  /// Adds the parts of the face to the cells it meets.
+  /// Adds the parts of the face to the cells it meets, and takes its corners' shares from their cells.
   void add(Face f, CellShares& out);
 
  private:

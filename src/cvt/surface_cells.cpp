@@ -5,6 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "cvt/cell_corners.h"
 #include "cvt/cell_shares.h"
 #include "cvt/cell_walk.h"
 #include "cvt/cut_corners.h"
@@ -19,8 +20,8 @@ namespace {
 /// they are, and handing a vertex on ends.
 constexpr double least_gain = 1e-14;
 
-/// Faces of one task, and vertices. Fixed, so that sums do not depend on the number of threads.
-constexpr std::size_t chunk_size = 2048;
+/// Vertices of one task; twice as many faces. Fixed, so that sums do not depend on the number of threads.
+constexpr std::size_t chunk_size = 1024;
 
 /// `transvect_back` by what their sites reached, of n points, four at a time. Back on the quadric by a step
 /// of Newton's method for h, which rounding has moved it from: no root. Near and past the sphere's horizon h
@@ -77,7 +78,6 @@ void SurfaceCells::settle(Offset& at, Vertex& owner) const {
 SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation& d,
                            const std::vector<Place>& places)
     : t_(&t), stars_(d) {
-  lifts_.order = std::make_shared<const VertexOrder>(t.connectivity());
   lifts_.at.resize(t.connectivity().vertex_count());
   lifts_.owner.resize(t.connectivity().vertex_count());
   CellWalk walk(t);
@@ -87,7 +87,7 @@ SurfaceCells::SurfaceCells(const UniformSurface& t, const DelaunayTriangulation&
     const auto offsets = stars_.offsets(site);
     neighbours.assign(offsets.begin(), offsets.end());
     for (const auto& face : walk.faces(places[i], neighbours)) {
-      const auto corners = lifts_.corners(face.place.face);
+      const auto corners = t.vertex_order().corners(face.place.face);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t v = corners[k];
         if (face.outside[k] == 0 || lifts_.owner[v].id < 0) {
@@ -137,13 +137,15 @@ void SurfaceCells::follow_removal(const DelaunayTriangulation& d, const std::vec
   follow(d, std::vector<Offset>(d.vertex_count()));
 }
 
-/// One thread's pass over faces; gathers what they add to the cells they meet.
+/// One thread's pass over vertices and faces; gathers what they add to the cells they meet.
 class SurfaceCells::Sweep {
  public:
   Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places,
         const std::vector<bool>* corner_in)
       : cut_corners_(mass, cells.stars_, cells.lifts_),
+        cell_corners_(mass, cells.stars_, cells.lifts_),
         t_(*cells.t_),
+        order_(t_.vertex_order()),
         stars_(cells.stars_),
         lifts_(cells.lifts_),
         mass_(mass),
@@ -151,48 +153,63 @@ class SurfaceCells::Sweep {
         cut_others_(mass, stars_, lifts_, places),
         shares_(places.size()) {}
 
-  std::vector<CellShares::Share> run(std::size_t first, std::size_t last) {
-    straddling_.clear(), others_.clear();
-    // Faces of one cell come in runs.
-    Vertex cell;
-    Moments sum;
-    for (std::size_t i = first; i < last; ++i) {
-      const Face f{static_cast<std::int32_t>(i)};
-      const auto v = lifts_.corners(f);
-      if (corner_in_ && !has_corner_in(v)) {
-        continue;
-      }
-      if (lies_in_one_cell(f, v)) {
-        if (lifts_.owner[v[0]] != cell) {
-          add(cell, sum);
-          cell = lifts_.owner[v[0]], sum = {};
-        }
-        sum += moments_of(mass_.weights(f), {lifts_.at[v[0]], lifts_.at[v[1]], lifts_.at[v[2]]});
-      } else {
-        mass_.prefetch(f);
-        straddling_.push_back(f);
-      }
-    }
-    add(cell, sum);
-    for (const Face f : straddling_) {
-      cut_corners_.take(f, lifts_.corners(f), shares_, others_);
-    }
-    cut_corners_.finish(shares_, others_);
-    for (const Face f : others_) {
-      cut_others_.add(f, shares_);
-    }
+  /// The k-th of some tasks: vertices and faces.
+  std::vector<CellShares::Share> run(std::size_t k) {
+    add_vertices(k * chunk_size, std::min(lifts_.at.size(), (k + 1) * chunk_size));
+    const std::size_t faces = t_.connectivity().face_count();
+    add_faces(2 * k * chunk_size, std::min(faces, 2 * (k + 1) * chunk_size));
     return shares_.take();
   }
 
  private:
+  void add_vertices(std::size_t first, std::size_t last) {
+    // Vertices of one cell come in runs.
+    while (first < last) {
+      const Vertex cell = lifts_.owner[first];
+      Moments sum;
+      for (; first < last && lifts_.owner[first] == cell; ++first) {
+        sum += mass_.share(first).moments(t_.space(), lifts_.at[first]);
+      }
+      if (!corner_in_ || (*corner_in_)[cell.index()]) {
+        shares_.of(cell) += sum;
+      }
+    }
+  }
+
+  void add_faces(std::size_t first, std::size_t last) {
+    straddling_.clear(), others_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      const Face f{static_cast<std::int32_t>(i)};
+      const auto v = order_.corners(f);
+      if ((!corner_in_ || has_corner_in(v)) && !lies_in_one_cell(f, v)) {
+        mass_.prefetch(f);
+        straddling_.push_back(f);
+      }
+    }
+    for (const Face f : straddling_) {
+      share_out(f, order_.corners(f));
+    }
+    cut_corners_.finish(shares_, others_);
+    cell_corners_.finish(shares_, others_);
+    for (const Face f : others_) {
+      cut_others_.add(f, shares_);
+    }
+  }
+
   [[nodiscard]] bool has_corner_in(const std::array<std::size_t, 3>& v) const {
     return std::any_of(v.begin(), v.end(),
                        [&](std::size_t i) { return (*corner_in_)[lifts_.owner[i].index()]; });
   }
 
-  void add(Vertex cell, const Moments& sum) {
-    if (cell.id >= 0) {
-      shares_.of(cell) += sum;
+  /// A face that straddles cells, by the cells of its corners.
+  void share_out(Face f, const std::array<std::size_t, 3>& v) {
+    const Vertex a = lifts_.owner[v[0]], b = lifts_.owner[v[1]], c = lifts_.owner[v[2]];
+    if (a != b && b != c && c != a) {
+      cell_corners_.take(f, v, shares_, others_);
+    } else if (a == b && b == c) {
+      others_.push_back(f);
+    } else {
+      cut_corners_.take(f, v, b == c ? 0 : c == a ? 1 : 2, shares_, others_);
     }
   }
 
@@ -213,7 +230,9 @@ class SurfaceCells::Sweep {
   }
 
   CutCorners cut_corners_;
+  CellCorners cell_corners_;
   const UniformSurface& t_;
+  const VertexOrder& order_;
   const Stars& stars_;
   const Lifts& lifts_;
   const SurfaceMass& mass_;
@@ -226,14 +245,14 @@ class SurfaceCells::Sweep {
 std::vector<Moments> SurfaceCells::moments(const SurfaceMass& mass,
                                            const std::vector<Place>& places,
                                            const std::vector<bool>* corner_in) const {
-  const std::size_t faces = t_->connectivity().face_count();
-  const std::size_t chunks = (faces + chunk_size - 1) / chunk_size;
+  const Connectivity& c = t_->connectivity();
+  const std::size_t chunks =
+      std::max(c.vertex_count() / chunk_size, c.face_count() / (2 * chunk_size)) + 1;
   std::vector<std::vector<CellShares::Share>> shares(chunks);
   tbb::enumerable_thread_specific<Sweep> sweeps(
       [&] { return Sweep(*this, mass, places, corner_in); });
-  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t k) {
-    shares[k] = sweeps.local().run(k * chunk_size, std::min(faces, (k + 1) * chunk_size));
-  });
+  tbb::parallel_for(std::size_t{0}, chunks,
+                    [&](std::size_t k) { shares[k] = sweeps.local().run(k); });
   std::vector<Moments> out(places.size());
   for (const auto& chunk : shares) {
     for (const CellShares::Share& s : chunk) {

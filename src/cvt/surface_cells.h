@@ -1,8 +1,9 @@
 // The Voronoi cells of sites on T, known by which cell each vertex of T lies in.
 //
 // Every vertex of T carries the site that owns it and its offset in that site's frame, and follows
-// the sites as they move. A face whose three corners lie in one cell adds its precomputed weights to
-// it; a face that straddles cells is cut. One sweep over T, no search.
+// the sites as they move. A vertex adds its share of the faces around it to its cell; faces that straddle
+// cells are cut, and what their corners gave to the wrong cells is handed over. One sweep over T, no
+// search.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +41,7 @@ class SurfaceCells {
 
   /// The site whose cell a vertex of T lies in.
   [[nodiscard]] Vertex owner(Vertex of_t) const {
-    return lifts_.owner[static_cast<std::size_t>(lifts_.order->rank[of_t.index()])];
+    return lifts_.owner[static_cast<std::size_t>(t_->vertex_order().rank[of_t.index()])];
   }
 
  private:

@@ -23,23 +23,23 @@ using Lanes [[gnu::vector_size(32)]] = double;
 constexpr int short_series = 4, long_series = 8;
 constexpr double short_series_side2 = 6e-4, long_series_side2 = 2e-2;
 
-/// The first coefficients of the power series in f of w^3, w^4 and w^4 / (1 + 1/w) (of the excess),
+/// The first coefficients of the power series in f of w^4 and w^4 / (1 + 1/w) (of the excess),
 /// w = (1 - f)^(-1/2).
 struct SeriesTerm {
-  double w3, w4, excess;
+  double w4, excess;
 };
-constexpr std::array<SeriesTerm, long_series> moment_series{{{1, 1, 1.0 / 2},
-                                                             {3.0 / 2, 2, 9.0 / 8},
-                                                             {15.0 / 8, 3, 29.0 / 16},
-                                                             {35.0 / 16, 4, 325.0 / 128},
-                                                             {315.0 / 128, 5, 843.0 / 256},
-                                                             {693.0 / 256, 6, 4165.0 / 1024},
-                                                             {3003.0 / 1024, 7, 9949.0 / 2048},
-                                                             {6435.0 / 2048, 8, 185517.0 / 32768}}};
+constexpr std::array<SeriesTerm, long_series> moment_series{{{1, 1.0 / 2},
+                                                             {2, 9.0 / 8},
+                                                             {3, 29.0 / 16},
+                                                             {4, 325.0 / 128},
+                                                             {5, 843.0 / 256},
+                                                             {6, 4165.0 / 1024},
+                                                             {7, 9949.0 / 2048},
+                                                             {8, 185517.0 / 32768}}};
 
 /// `Weights` by lanes.
 struct LaneWeights {
-  Lanes mu0{}, mu1{}, mu2{}, mass{}, excess{};
+  Lanes mu0{}, mu1{}, mu2{}, excess{};
 };
 
 /// Adds nodes at barycentric coordinates l of triangles with squared chords c and corner densities
@@ -52,15 +52,13 @@ template <int terms>
   const Lanes form = l[0] * l[1] * c[0] + l[1] * l[2] * c[1] + l[2] * l[0] * c[2];
   const Lanes f = kappa * form;
   const Lanes dm = area * (l[0] * rho[0] + l[1] * rho[1] + l[2] * rho[2]);
-  Lanes w3 = moment_series[terms - 1].w3 + Lanes{}, w4 = moment_series[terms - 1].w4 + Lanes{};
+  Lanes w4 = moment_series[terms - 1].w4 + Lanes{};
   Lanes e = moment_series[terms - 1].excess + Lanes{};
   for (std::size_t k = terms - 1; k-- > 0;) {
-    w3 = moment_series[k].w3 + f * w3;
     w4 = moment_series[k].w4 + f * w4;
     e = moment_series[k].excess + f * e;
   }
   const Lanes mu = dm * w4;
-  out.mass += dm * w3;
   out.mu0 += mu * l[0];
   out.mu1 += mu * l[1];
   out.mu2 += mu * l[2];

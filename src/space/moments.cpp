@@ -89,7 +89,7 @@ template <int terms>
     const Lanes l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
     add_nodes<terms>(kappa, chord2, density, {1 - l1 - l2, l1, l2}, q.weight * jacobian, w);
   }
-  return {{sum(w.mu0), sum(w.mu1), sum(w.mu2)}, sum(w.mass), sum(w.excess)};
+  return {{sum(w.mu0), sum(w.mu1), sum(w.mu2)}, sum(w.excess)};
 }
 
 UCVT_WIDE Weights by_series(const std::vector<LaneNodes>& rule, double kappa,
@@ -143,7 +143,6 @@ struct Piece {
       const double form = chord_form(triangle, l0, l1, l2);
       const double root = std::sqrt(1 - kappa * form), w = 1 / root;
       const double dm = q.weight * jacobian * w * w * w * (l0 * rho[0] + l1 * rho[1] + l2 * rho[2]);
-      out.mass += dm;
       out.mu[0] += dm * w * l0;
       out.mu[1] += dm * w * l1;
       out.mu[2] += dm * w * l2;

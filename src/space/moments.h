@@ -4,7 +4,7 @@
 // P = w sum l_v P_v, sum l_v = 1, w = (1 - kappa sum_{u<v} l_u l_v c_uv^2)^(-1/2). In these
 // coordinates the area element is D w^3 dl, D = det[P_0, P_1, P_2], so
 //     int rho P dsigma = sum mu_v P_v,   mu_v = D int rho w^4 l_v dl,
-//     int rho h dsigma = sum mu_v h_v + excess
+//     int rho h dsigma = sum mu_v h_v + excess,   int rho dsigma = sum mu_v + kappa excess
 // in every frame: the weights mu are computed without one. docs/moments.md has the derivation.
 #pragma once
 
@@ -22,19 +22,23 @@ struct Moments {
     m += o.m, x += o.x, y += o.y, h += o.h;
     return *this;
   }
+  Moments& operator-=(const Moments& o) {
+    m -= o.m, x -= o.x, y -= o.y, h -= o.h;
+    return *this;
+  }
 };
 
 /// Frame-free integrals of a density over (a piece of) a triangle; see the head of this file.
 struct Weights {
   std::array<double, 3> mu{};
-  double mass = 0;
   double excess = 0;  ///< never positive: chords run below the quadric
+
+  [[nodiscard]] double mass(Space s) const { return mu[0] + mu[1] + mu[2] + s.kappa * excess; }
 
   Weights& operator+=(const Weights& o) {
     for (std::size_t i = 0; i < 3; ++i) {
       mu[i] += o.mu[i];
     }
-    mass += o.mass;
     excess += o.excess;
     return *this;
   }
@@ -42,15 +46,14 @@ struct Weights {
     for (std::size_t i = 0; i < 3; ++i) {
       mu[i] -= o.mu[i];
     }
-    mass -= o.mass;
     excess -= o.excess;
     return *this;
   }
 };
 
 /// The moments that the weights stand for, in the frame that the corners are given in.
-inline Moments moments_of(const Weights& w, const std::array<Offset, 3>& corner) {
-  Moments out{w.mass, 0, 0, w.excess};
+inline Moments moments_of(Space s, const Weights& w, const std::array<Offset, 3>& corner) {
+  Moments out{w.mass(s), 0, 0, w.excess};
   for (std::size_t i = 0; i < 3; ++i) {
     out.x += w.mu[i] * corner[i].x;
     out.y += w.mu[i] * corner[i].y;

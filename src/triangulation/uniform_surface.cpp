@@ -62,7 +62,10 @@ bool walk_to_origin(const UniformSurface& t, Place& place, double shortest) {
 }  // namespace
 
 UniformSurface::UniformSurface(Space space, Connectivity connectivity, std::vector<double> chord)
-    : space_(space), connectivity_(std::move(connectivity)), chord_(std::move(chord)) {
+    : space_(space),
+      connectivity_(std::move(connectivity)),
+      vertex_order_(connectivity_),
+      chord_(std::move(chord)) {
   const std::size_t faces = connectivity_.face_count();
   det_.resize(faces);
   for (std::size_t f = 0; f < faces; ++f) {

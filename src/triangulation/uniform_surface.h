@@ -10,6 +10,7 @@
 #include "space/moments.h"
 #include "space/offset.h"
 #include "triangulation/connectivity.h"
+#include "triangulation/vertex_order.h"
 
 namespace ucvt {
 
@@ -27,6 +28,7 @@ class UniformSurface {
 
   [[nodiscard]] Space space() const { return space_; }
   [[nodiscard]] const Connectivity& connectivity() const { return connectivity_; }
+  [[nodiscard]] const VertexOrder& vertex_order() const { return vertex_order_; }
   [[nodiscard]] double chord(Halfedge h) const { return chord_[h.index()]; }
   [[nodiscard]] const std::vector<double>& chords() const { return chord_; }
   /// det[P_0, P_1, P_2] of the face's corners.
@@ -70,6 +72,7 @@ class UniformSurface {
 
   Space space_;
   Connectivity connectivity_;
+  VertexOrder vertex_order_;
   std::vector<double> chord_;
   std::vector<double> det_;
   std::vector<Developing> developing_;

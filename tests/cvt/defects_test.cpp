@@ -103,13 +103,7 @@ TEST(Defects, CanBeInterrupted) {
 /// Surfaces of the three geometries whose edges are short next to the cells of 150 sites.
 class LocalTest : public testing::TestWithParam<double> {
  protected:
-  static const UniformSurface& t() {
-    static const UniformSurface sphere = oracle::sphere(oracle::icosphere(4));
-    static const UniformSurface torus = oracle::flat_torus(40, 30);
-    static const UniformizedSurface genus2 =
-        uniformize(oracle::closed(oracle::voxel_frame(2)), {0.2, {}});
-    return GetParam() > 0 ? sphere : GetParam() == 0 ? torus : genus2.value().surface;
-  }
+  static const UniformSurface& t() { return oracle::fine_surface_of(GetParam()); }
   const SurfaceMass mass{t(), density()};
   static std::vector<double> density() {
     std::vector<double> out;

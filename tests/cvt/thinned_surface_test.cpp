@@ -17,13 +17,7 @@ namespace {
 /// Surfaces of the three geometries with a few hundred vertices or more.
 class ThinnedSurfaceTest : public testing::TestWithParam<double> {
  protected:
-  static const UniformSurface& t() {
-    static const UniformSurface sphere = oracle::sphere(oracle::icosphere(4));
-    static const UniformSurface torus = oracle::flat_torus(40, 30);
-    static const UniformizedSurface genus2 =
-        uniformize(oracle::closed(oracle::voxel_frame(2)), {0.2, {}});
-    return GetParam() > 0 ? sphere : GetParam() == 0 ? torus : genus2.value().surface;
-  }
+  static const UniformSurface& t() { return oracle::fine_surface_of(GetParam()); }
 };
 
 TEST_P(ThinnedSurfaceTest, IsTheSameSurface) {

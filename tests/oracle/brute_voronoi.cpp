@@ -135,6 +135,7 @@ BruteCell brute_cell(const UniformSurface& t, const Place& place,
     }
     for (std::size_t i = 0; i < cell.size(); ++i) {
       const Point a = cell[i].at, b = cell[(i + 1) % cell.size()].at;
+      out.corners.push_back(from_central(s, a.x, a.y));
       out.area += central_triangle_area(s, from_central(s, a.x, a.y), from_central(s, b.x, b.y));
       if (std::hypot(b.x - a.x, b.y - a.y) > 1e-7 * r) {
         out.neighbours.push_back(lifts[static_cast<std::size_t>(cell[i].edge)]);

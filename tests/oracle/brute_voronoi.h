@@ -16,6 +16,7 @@ struct Lift {
 
 struct BruteCell {
   std::vector<Lift> neighbours;  ///< with an edge of nonzero length, counterclockwise
+  std::vector<Offset> corners;   ///< counterclockwise; some may coincide
   double area = 0;
   double radius = 0;  ///< greatest distance of a corner, as tan_kappa
 };

@@ -43,6 +43,12 @@ const UniformSurface& surface_of(double kappa) {
   return kappa > 0 ? ball : kappa < 0 ? double_torus().surface : torus;
 }
 
+const UniformSurface& fine_surface_of(double kappa) {
+  static const UniformSurface ball = sphere(icosphere(4)), torus = flat_torus(40, 30);
+  static const UniformizedSurface genus2 = uniformize(closed(voxel_frame(2)), {0.2, {}});
+  return kappa > 0 ? ball : kappa < 0 ? genus2.value().surface : torus;
+}
+
 DelaunayTriangulation delaunay_of(const UniformSurface& t) {
   DelaunayTriangulation d(t.space(), t.connectivity(), t.vertex_frames());
   d.make_delaunay();

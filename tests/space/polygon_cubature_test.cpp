@@ -31,7 +31,7 @@ RC_GTEST_PROP(PolygonCubature, OfADensityLinearInTheModelAreThoseOfTheSurface, (
   };
   const ChordTriangle t{{chord2(s, c[0], c[1]), chord2(s, c[1], c[2]), chord2(s, c[2], c[0])},
                         orientation(s, c[0], c[1], c[2])};
-  const Moments exact = moments_of(integrate(s, t, rho), c);
+  const Moments exact = moments_of(s, integrate(s, t, rho), c);
   const Cubature got = density_moments(s, c, density, {.relative_tolerance = 1e-13});
   RC_ASSERT(got.converged);
   RC_ASSERT(difference(got.moments, exact, size) < 2e-13);

@@ -1,4 +1,4 @@
-#include "cvt/lifts.h"
+#include "triangulation/vertex_order.h"
 
 namespace ucvt {
 
