@@ -47,7 +47,8 @@ struct FaceKind {
   double side2;
   int degree;
 };
-constexpr std::array<FaceKind, 3> face_kinds{{{7.5e-5, 5}, {short_series_side2, 6}, {9.5e-3, 8}}};
+constexpr std::array<FaceKind, 4> face_kinds{
+    {{7.5e-5, 5}, {short_series_side2, 6}, {9.5e-3, 8}, {6e-2, 12}}};
 
 /// The kind of a face; face_kinds.size() where it is too big for all.
 inline std::size_t face_kind(const ChordTriangle& t) {

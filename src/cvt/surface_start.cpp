@@ -30,7 +30,7 @@ constexpr std::uint64_t stride = 0x9E3779B97F4A7C15u;
 
 /// Exchanges that mend defects on levels of so many sites at most, the larger ones only where T itself is
 /// their ground: where T is fine they take long for little. Still larger ones have few defects.
-constexpr int small_level = 1000, small_exchanges = 3, large_level = 4000, large_exchanges = 1;
+constexpr int small_level = 1000, small_exchanges = 3, large_level = 4000, large_exchanges = 2;
 const OptimizeOptions before_mending{.evaluations = 25, .tolerance = 1e-3, .least_decrease = 1e-4};
 
 /// Draws of random sites before giving up.
