@@ -57,5 +57,7 @@ struct JoinedPartition {
 };
 JoinedPartition partition(const std::vector<Component>& components,
                           const std::vector<RemeshResult>& results);
+/// The same for an open surface, which has one component.
+JoinedPartition partition(const OpenSurface& surface, const RemeshResult& result);
 
 }  // namespace ucvt

@@ -113,6 +113,7 @@ struct RemeshReport {
 };
 
 struct CellComplex;
+struct HalfOfDouble;
 
 struct RemeshResult {
   TriangleMesh mesh;            ///< dual mesh: closed, oriented, of the input's genus
@@ -129,6 +130,8 @@ struct RemeshResult {
   Spread cell_area_3d;  ///< cell areas on the input surface, in its units
   RemeshReport report;
   std::shared_ptr<const CellComplex> cells = nullptr;  ///< what `partition` cuts by; opaque
+  std::shared_ptr<const HalfOfDouble> half =
+      nullptr;  ///< of an open surface: its part of them; opaque
 };
 
 /// Remeshes a closed surface with a CVT of uniform density on the surface.

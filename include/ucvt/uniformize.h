@@ -23,7 +23,9 @@ using Monitor = std::function<bool(const Progress&)>;
 
 /// What uniformization found; angles in radians, area in the uniform metric.
 struct UniformizationReport {
-  std::string geometry;  ///< "spherical", "euclidean" or "hyperbolic"
+  std::string geometry;                  ///< "spherical", "euclidean" or "hyperbolic"
+  std::int64_t vertices = 0, faces = 0;  ///< of T
+  int genus = 0;
   int newton_iterations = 0;
   std::int64_t euclidean_flips = 0;
   std::int64_t ptolemy_flips = 0;
@@ -66,5 +68,13 @@ struct UniformizeOptions {
 /// InvalidInput when all vertices coincide, Cancelled when the monitor said so. Source: the
 /// references in docs/uniformization.md.
 UniformizedSurface uniformize(const ClosedSurface& surface, const UniformizeOptions& options = {});
+
+/// Uniformizes the double of a surface with boundary: itself and its mirror image, glued along the boundary,
+/// of genus 2 g + b - 1 for b loops. The boundary becomes geodesics, the lines of T's mirror symmetry.
+///
+/// The surface's vertices come first and in their order, then middles of edges inside it that join two
+/// boundary vertices (of all edges that are too long, when it is refined), then mirror images. Throws as
+/// for closed surfaces. Source: docs/boundaries.md.
+UniformizedSurface uniformize(const OpenSurface& surface, const UniformizeOptions& options = {});
 
 }  // namespace ucvt

@@ -51,9 +51,10 @@ ExitStatus run_partition(const PartitionArguments& arguments) {
   check_writable(outputs);
   CheckpointFile checkpoint(asked.checkpoint);
   Supervisor supervisor(asked.shared.limits, &checkpoint);
-  const SurfaceRun run = run_on_surface(asked, Surfaces::Closed, supervisor, checkpoint);
+  const SurfaceRun run = run_on_surface(asked, Surfaces::ClosedAndOpen, supervisor, checkpoint);
   const auto [joined, figures] = about_file(input_name(asked.shared.input), [&] {
-    JoinedPartition cut = partition(run.input.components, run.results);
+    JoinedPartition cut = run.input.open ? partition(*run.input.open, run.results.front())
+                                         : partition(run.input.components, run.results);
     MadeFigures made =
         make_figures(asked.figures, run.results.front(), joined_mesh(run.results), &cut.partition);
     return std::pair(std::move(cut), std::move(made));

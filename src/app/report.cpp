@@ -72,6 +72,9 @@ Json input_report(const std::string& file, const MeshSurvey& counts) {
 
 Json uniformization_report(const UniformizationReport& report) {
   return {{"geometry", report.geometry},
+          {"vertices", report.vertices},
+          {"faces", report.faces},
+          {"genus", report.genus},
           {"newton_iterations", report.newton_iterations},
           {"euclidean_flips", report.euclidean_flips},
           {"ptolemy_flips", report.ptolemy_flips},

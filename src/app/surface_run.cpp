@@ -65,7 +65,6 @@ void refuse_what_open_surfaces_lack(const RemeshArguments& a, const ClosedInput&
   check(!a.checkpoint.path.empty(), "--checkpoint");
   check(!a.init_file.empty(), "--init");
   check(a.options.init == InitialSites::Random, "--init random");
-  check(!a.figures.figure.empty() && a.figures.show == SurfaceShow::Cells, "--show cells");
   check(!a.figures.cover.empty(), "--cover");
 }
 

@@ -18,15 +18,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::string summary(const ClosedSurface& closed, const UniformizationReport& report,
-                    Clock::time_point start) {
+std::string summary(const UniformizationReport& report, Clock::time_point start) {
   const auto count = [](std::int64_t n) { return fmt::format("{}", n); };
-  const auto size = [](std::size_t n) { return static_cast<std::int64_t>(n); };
   return aligned(
       {
-          {"vertices", count(size(closed.mesh.positions.size()) + report.refined_vertices)},
-          {"faces", count(size(closed.mesh.faces.size()) + 2 * report.refined_vertices)},
-          {"genus", count(closed.genus)},
+          {"vertices", count(report.vertices)},
+          {"faces", count(report.faces)},
+          {"genus", count(report.genus)},
           {"geometry", report.geometry},
           {"iterations", count(report.newton_iterations)},
           {"flips",
@@ -36,6 +34,12 @@ std::string summary(const ClosedSurface& closed, const UniformizationReport& rep
            fmt::format("{:.4g} to {:.4g}", report.log_scale_min, report.log_scale_max)},
       },
       start);
+}
+
+/// An open surface is doubled.
+int genus_of_t(const ClosedInput& input) {
+  return input.open ? 2 * input.open->genus + input.open->boundary_loops - 1
+                    : input.components.front().surface.genus;
 }
 
 bool needs_cover(const UniformizeArguments& arguments) {
@@ -83,12 +87,11 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   const std::vector<std::string> outputs = outputs_of(arguments);
   check_writable(outputs);
   Supervisor supervisor(arguments.shared.limits);
-  const ClosedInput input = read_input(arguments.shared);
+  const ClosedInput input = read_input(arguments.shared, Surfaces::ClosedAndOpen);
   require_one_component(arguments.shared, input, "uniformize");
-  const ClosedSurface& closed = input.components.front().surface;
   if (needs_cover(arguments)) {
     about_file(input_name(arguments.shared.input), [&] {
-      require_coordinates(closed.genus, arguments.figures.cover_picture.coordinates);
+      require_coordinates(genus_of_t(input), arguments.figures.cover_picture.coordinates);
     });
   }
   begin_computation();
@@ -101,12 +104,15 @@ ExitStatus run_uniformize(const UniformizeArguments& arguments) {
   UniformizeOptions options;
   options.monitor = progress.monitor();
   const UniformizedSurface surface = about_file(input_name(arguments.shared.input), [&] {
-    return supervisor.watch([&] { return uniformize(closed, options); });
+    return supervisor.watch([&] {
+      return input.open ? uniformize(*input.open, options)
+                        : uniformize(input.components.front().surface, options);
+    });
   });
   progress.clear();
   write_outputs(arguments, input, surface, start, supervisor);
   if (!arguments.shared.quiet && !takes_stdout(outputs)) {
-    print_results(summary(closed, surface.report(), start));
+    print_results(summary(surface.report(), start));
   }
   return ExitStatus::Done;
 }

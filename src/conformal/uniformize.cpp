@@ -205,12 +205,15 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
   report.euclidean_flips = t.euclidean_flips;
   report.ptolemy_flips = t.ptolemy_flips;
   report.refined_vertices = t.splits;
+  report.vertices = static_cast<std::int64_t>(uniform.connectivity().vertex_count());
+  report.faces = static_cast<std::int64_t>(uniform.connectivity().face_count());
+  report.genus = surface.genus;
   const auto [low, high] = std::minmax_element(solution.u.begin(), solution.u.end());
   report.log_scale_min = *low, report.log_scale_max = *high;
   certify(uniform, area, report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {std::move(input),   std::move(t), std::move(solution.u), std::move(vertex_area),
-          std::move(uniform), report,       std::move(input_face)};
+          std::move(uniform), report,       std::move(input_face), {}};
 }
 
 std::vector<HomogeneousPoint> points_on_input(const Uniformized& t,

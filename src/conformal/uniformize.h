@@ -18,6 +18,8 @@ struct Uniformized {
   UniformSurface surface;              ///< T
   UniformizationReport report;
   std::vector<std::int32_t> input_face;  ///< number in the closed surface of each face of `input`
+  /// Of the double of a surface with boundary: the image of each vertex of `input`; else empty.
+  std::vector<std::int32_t> mirror;
 };
 
 /// The work behind the public `uniformize`.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -31,9 +32,11 @@ std::vector<std::int32_t> twins(const TriangleMesh& mesh) {
 class Bisection {
  public:
   Bisection(TriangleMesh& mesh, std::vector<double>& size)
-      : mesh_(mesh), size_(size), twin_(twins(mesh)) {}
+      : mesh_(mesh), size_(size), twin_(twins(mesh)), part_of_(mesh.faces.size()) {
+    std::iota(part_of_.begin(), part_of_.end(), 0);
+  }
 
-  void run() {
+  std::vector<std::int32_t> run() {
     for (std::size_t s = 0; s < twin_.size(); ++s) {
       push(static_cast<std::int32_t>(s));
     }
@@ -45,6 +48,7 @@ class Bisection {
       }
     }
     cut_chords_of_boundary();
+    return std::move(part_of_);
   }
 
  private:
@@ -83,6 +87,7 @@ class Bisection {
     const std::int32_t b = side_head(mesh_, side), c = side_apex(mesh_, side);
     const std::int32_t bc = next_side(side);
     mesh_.faces.push_back({m, b, c});
+    part_of_.push_back(part_of_[face_of(side)]);
     twin_.resize(twin_.size() + 3, -1);
     mesh_.faces[face_of(side)][static_cast<std::size_t>(bc % 3)] = m;
     glue(added + 1, twin_[static_cast<std::size_t>(bc)]);
@@ -136,13 +141,14 @@ class Bisection {
   TriangleMesh& mesh_;
   std::vector<double>& size_;
   std::vector<std::int32_t> twin_;
+  std::vector<std::int32_t> part_of_;  // by face: the face before
   std::priority_queue<std::pair<double, std::int32_t>> queue_;
 };
 
 }  // namespace
 
-void bisect_edges(TriangleMesh& mesh, std::vector<double>& size) {
-  Bisection(mesh, size).run();
+std::vector<std::int32_t> bisect_edges(TriangleMesh& mesh, std::vector<double>& size) {
+  return Bisection(mesh, size).run();
 }
 
 std::vector<std::vector<std::int32_t>> boundary_loops(const TriangleMesh& mesh) {

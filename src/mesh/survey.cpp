@@ -107,20 +107,25 @@ void measure_vertices(const TriangleMesh& mesh, MeshSurvey& result) {
 
 }  // namespace
 
+double face_area(const TriangleMesh& mesh, const Corners& face) {
+  const auto at = [&](std::size_t i) -> const Position& {
+    return mesh.positions[static_cast<std::size_t>(face[i])];
+  };
+  const Position u = difference(at(1), at(0)), v = difference(at(2), at(1));
+  const double size = std::max(length(u), length(v));
+  if (!(size > 0 && std::isfinite(size))) {
+    return 0;
+  }
+  const auto part = [&](std::size_t i, std::size_t j) {
+    return u[i] / size * (v[j] / size) - u[j] / size * (v[i] / size);
+  };
+  return 0.5 * std::hypot(part(1, 2), part(2, 0), part(0, 1)) * size * size;
+}
+
 double surface_area(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Corners& f : mesh.faces) {
-    const auto at = [&](std::size_t i) -> const Position& {
-      return mesh.positions[static_cast<std::size_t>(f[i])];
-    };
-    const Position u = difference(at(1), at(0)), v = difference(at(2), at(1));
-    const double size = std::max(length(u), length(v));
-    if (size > 0 && std::isfinite(size)) {
-      const auto part = [&](std::size_t i, std::size_t j) {
-        return u[i] / size * (v[j] / size) - u[j] / size * (v[i] / size);
-      };
-      sum += 0.5 * std::hypot(part(1, 2), part(2, 0), part(0, 1)) * size * size;
-    }
+    sum += face_area(mesh, f);
   }
   return sum;
 }

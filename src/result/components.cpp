@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -187,6 +188,13 @@ JoinedPartition partition(const std::vector<Component>& components,
     joiner.add(components[i], partition(results[i]));
   }
   return joiner.take();
+}
+
+JoinedPartition partition(const OpenSurface& surface, const RemeshResult& result) {
+  JoinedPartition out{partition(result), surface.input_vertex, {}};
+  out.input_face.resize(surface.mesh.faces.size());
+  std::iota(out.input_face.begin(), out.input_face.end(), 0);
+  return out;
 }
 
 }  // namespace ucvt

@@ -20,6 +20,15 @@ struct HalfMesh {
   std::vector<Corners> faces;
 };
 
+/// What a finished run keeps of the half: where the cells on it come from.
+struct HalfOfDouble {
+  std::vector<Vertex> sites;             ///< in the half, by vertex of the mesh
+  std::size_t on_line = 0;               ///< so many sites, the first ones, lie on the boundary
+  std::vector<std::int32_t> input_face;  ///< of the half's faces, the double's first ones
+  std::size_t input_vertices =
+      0;  ///< of the double's vertices so many, the first ones, are the input's
+};
+
 class HalfView {
  public:
   /// `loops`: the sites on the line in order, the half on the left. Keeps references to both.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "result/cell_complex.h"
 #include "result/density.h"
 #include "result/half_mesh.h"
+#include "result/uniformize_double.h"
 #include "ucvt/error.h"
 #include "ucvt/remesh.h"
 
@@ -70,6 +72,7 @@ struct Double {
   BoundaryCurves curves;
   DoubledSurface doubled;
   UniformizedSurface surface;
+  std::vector<std::int32_t> input_face;  ///< of the half's faces
 };
 
 /// Lowers the sizes at the ends of edges over which the log scale changes too fast for a density that
@@ -96,11 +99,18 @@ bool resolve_log_scale(const Double& made, std::vector<double>& size) {
 Double make_double(const OpenSurface& open, double spacing, const Monitor& monitor) {
   TriangleMesh half = open.mesh;
   std::vector<double> size(half.positions.size(), edge_per_spacing * spacing);
+  std::vector<std::int32_t> input_face(half.faces.size());
+  std::iota(input_face.begin(), input_face.end(), 0);
   for (int round = 0;; ++round) {
-    bisect_edges(half, size);
+    std::vector<std::int32_t> part_of = bisect_edges(half, size);
+    for (std::int32_t& f : part_of) {
+      f = input_face[static_cast<std::size_t>(f)];
+    }
+    input_face = std::move(part_of);
     DoubledSurface both = doubled(half, open.genus, boundary_loops(half));
-    UniformizedSurface surface = uniformize(both.surface, {0, monitor});
-    Double out{half, boundary_curves(half, spacing), std::move(both), std::move(surface)};
+    UniformizedSurface surface = uniformize(both, {0, monitor});
+    Double out{half, boundary_curves(half, spacing), std::move(both), std::move(surface),
+               input_face};
     if (round == max_refinements || !resolve_log_scale(out, size)) {
       return out;
     }
@@ -324,6 +334,8 @@ class OpenRemesher {
     r.sites_added = added_;
     r.quality = measure_quality(out.mesh);
     out.cells = cell_complex(sites_->tessellation());
+    out.half = std::make_shared<const HalfOfDouble>(HalfOfDouble{
+        mesh.sites, sites_->line_count(), double_.input_face, open_.mesh.positions.size()});
     return out;
   }
 

@@ -11,6 +11,7 @@
 #include "result/cell_complex.h"
 #include "result/cell_curves.h"
 #include "result/colouring.h"
+#include "result/half_partition.h"
 #include "result/polygon_triangles.h"
 #include "ucvt/error.h"
 
@@ -44,8 +45,8 @@ Overlay overlay_of(const Uniformized& t, const CellComplex& cells) {
 /// Gathers the faces of the cut surface, input face by input face.
 class Cutter {
  public:
-  Cutter(const Uniformized& t, std::size_t cells, Overlay& overlay)
-      : t_(t), overlay_(overlay), number_(overlay.node_count(), -1), area_(cells) {
+  Cutter(const Uniformized& t, Overlay& overlay)
+      : t_(t), overlay_(overlay), number_(overlay.node_count(), -1) {
     out_.mesh.positions = t.input.positions;
     out_.vertex_cell.assign(t.input.positions.size(), -1);
     out_.face_cell.assign(t.input.faces.size(), -1);
@@ -63,13 +64,8 @@ class Cutter {
     }
     cut_pieces();
     name_whole_faces(together);
-    for (std::size_t f = 0; f < out_.mesh.faces.size(); ++f) {
-      area_[index(out_.cell[f])] += area(out_.mesh.faces[f]);
-    }
     return std::move(out_);
   }
-
-  [[nodiscard]] const std::vector<double>& areas() const { return area_; }
 
  private:
   [[nodiscard]] bool is_vertex(Node n) const { return n.index() < out_.vertex_cell.size(); }
@@ -111,17 +107,6 @@ class Cutter {
     }
     std::int32_t& n = number_[c.node.index()];
     return n >= 0 ? n : n = add_vertex(place(f, c.bary));
-  }
-
-  [[nodiscard]] double area(const Corners& f) const {
-    const auto at = [&](std::size_t i) -> const Position& {
-      return out_.mesh.positions[index(f[i])];
-    };
-    const Position &a = at(0), &b = at(1), &c = at(2);
-    const double x = (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-    const double y = (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]);
-    const double z = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    return std::hypot(x, y, z) / 2;
   }
 
   /// A region as a polygon of the cut surface.
@@ -190,7 +175,7 @@ class Cutter {
       out_.mesh.faces.push_back(face);
       out_.cell.push_back(piece.label);
       out_.input_face.push_back(t_.input_face[piece.face]);
-      share[piece.label] += area(face);
+      share[piece.label] += face_area(out_.mesh, face);
     }
   }
 
@@ -232,7 +217,6 @@ class Cutter {
   const Uniformized& t_;
   Overlay& overlay_;
   std::vector<std::int32_t> number_;  // by node: its vertex in the cut surface, or -1
-  std::vector<double> area_;          // by cell
   Partition out_;
   std::vector<Piece> pieces_;
   std::unordered_set<std::uint64_t> edges_;  ///< of the pieces that boundaries pass
@@ -264,31 +248,42 @@ PartitionCell measure_cell(const DelaunayTriangulation& d, Vertex site) {
   return out;
 }
 
+/// Positions, areas and colours of the cells.
+void finish_cells(const std::vector<Position>& sites, Partition& out) {
+  for (std::size_t f = 0; f < out.mesh.faces.size(); ++f) {
+    out.cells[index(out.cell[f])].area_3d += face_area(out.mesh, out.mesh.faces[f]);
+  }
+  std::vector<std::vector<std::int32_t>> neighbours;
+  for (const PartitionCell& cell : out.cells) {
+    neighbours.push_back(cell.neighbours);
+  }
+  const std::vector<std::int32_t> colour = colour_graph(neighbours);
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    out.cells[i].site = sites[i];
+    out.cells[i].colour = colour[i];
+    out.colours = std::max(out.colours, colour[i] + 1);
+  }
+}
+
 }  // namespace
 
 Partition partition(const RemeshResult& result) {
-  if (!result.cells || result.report.boundary_loops > 0) {
-    throw InvalidInput("only the cells of a closed surface can be cut out; take them from remesh");
+  if (!result.cells) {
+    throw InvalidInput("there are no cells to be cut out; take them from remesh");
   }
   const Uniformized& t = result.surface.value();
   const CellComplex& complex = *result.cells;
   Overlay overlay = overlay_of(t, complex);
   overlay.undo(t.intrinsic.log,
                static_cast<std::size_t>(t.intrinsic.euclidean_flips + t.intrinsic.splits));
-  Cutter cutter(t, complex.places.size(), overlay);
-  Partition out = cutter.run();
-  std::vector<std::vector<std::int32_t>> neighbours;
+  Partition out = Cutter(t, overlay).run();
   for (std::size_t i = 0; i < complex.places.size(); ++i) {
     out.cells.push_back(measure_cell(complex.delaunay, {static_cast<std::int32_t>(i)}));
-    out.cells[i].site = result.mesh.positions[i];
-    out.cells[i].area_3d = cutter.areas()[i];
-    neighbours.push_back(out.cells[i].neighbours);
   }
-  const std::vector<std::int32_t> colour = colour_graph(neighbours);
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    out.cells[i].colour = colour[i];
-    out.colours = std::max(out.colours, colour[i] + 1);
+  if (result.half) {
+    out = half_partition(out, *result.half);
   }
+  finish_cells(result.mesh.positions, out);
   return out;
 }
 

@@ -27,10 +27,11 @@ std::string header(const Uniformized& t) {
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment geometry {}\ncomment genus {}\n"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "property double log_scale\nelement face {}\nproperty list uchar int vertex_indices\n"
+      "property double log_scale\n{}element face {}\nproperty list uchar int vertex_indices\n"
       "property list uchar double chord\nproperty list uchar int twin\n"
       "property list uchar double layout\nend_header\n",
-      t.report.geometry, 1 - c.euler_number() / 2, c.vertex_count(), c.face_count());
+      t.report.geometry, 1 - c.euler_number() / 2, c.vertex_count(),
+      t.mirror.empty() ? "" : "property int mirror\n", c.face_count());
 }
 
 /// Every vertex of T as a point of T, for the way back to the input.
@@ -61,6 +62,9 @@ void write_surface(const std::string& path, const Uniformized& t) {
       put(out, x);
     }
     put(out, t.log_scale[v]);
+    if (!t.mirror.empty()) {
+      put(out, t.mirror[v]);
+    }
   }
   const auto layout = fundamental_domain(t.surface, {0});
   for (std::size_t f = 0; f < c.face_count(); ++f) {

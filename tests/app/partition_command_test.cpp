@@ -22,6 +22,24 @@ std::vector<std::vector<std::string>> table(const std::string& text) {
   return rows;
 }
 
+TEST(PartitionCommand, CutsASurfaceWithBoundary) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh = grid_surface(20, 12);
+  mesh.faces.resize(mesh.faces.size() - 6);
+  const std::string input = folder.file("open.off"), output = folder.file("p.ply");
+  write_mesh(input, mesh);
+  const Outcome outcome =
+      run({"partition", input, "-n", "40", "-o", output, "--labels", folder.file("l.csv"),
+           "--cells", folder.file("c.csv"), "--figure", folder.file("f.svg")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const MeshSurvey in = survey(mesh), out = survey(read_mesh(output));
+  EXPECT_EQ(out.boundary_loops, 1);
+  EXPECT_EQ(out.euler_number, in.euler_number);
+  EXPECT_NEAR(out.area / in.area, 1, 1e-12);
+  EXPECT_EQ(table(slurp(folder.file("c.csv"))).size(), 40U);
+  EXPECT_EQ(table(slurp(folder.file("l.csv"))).size(), 240U + 474U);
+}
+
 TEST(PartitionCommand, CutsTheInput) {
   const TemporaryFolder folder;
   const std::string input = torus_file(folder), output = folder.file("p.ply");

@@ -44,9 +44,10 @@ TEST(RemeshCommand, ReportHasAllKeys) {
                        "seconds", "peak_memory_bytes", "version", "seed", "threads"});
   expect_keys(report["input"],
               {"file", "vertices", "faces", "genus", "components", "area", "bbox_diagonal"});
-  expect_keys(report["uniformization"], {"geometry", "newton_iterations", "euclidean_flips",
-                                         "ptolemy_flips", "refined_vertices", "max_angle_error",
-                                         "area", "log_scale_min", "log_scale_max", "seconds"});
+  expect_keys(report["uniformization"],
+              {"geometry", "newton_iterations", "euclidean_flips", "ptolemy_flips",
+               "refined_vertices", "vertices", "faces", "genus", "max_angle_error", "area",
+               "log_scale_min", "log_scale_max", "seconds"});
   expect_keys(report["cvt"], {"method", "sites", "iterations", "converged", "energy", "max_move",
                               "seconds", "seconds_per_iteration", "energy_over_hexagonal"});
   EXPECT_NEAR(report["cvt"]["energy_over_hexagonal"], 1.01, 0.015);

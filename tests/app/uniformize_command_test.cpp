@@ -61,15 +61,21 @@ TEST(UniformizeCommand, SaysBeforeItComputesThatThereIsNoSuchLayout) {
   EXPECT_EQ(folder.entries(), 2U);
 }
 
-TEST(UniformizeCommand, RefusesAnOpenMesh) {
+TEST(UniformizeCommand, DoublesAnOpenSurface) {
   const TemporaryFolder folder;
   TriangleMesh mesh = grid_surface(20, 12);
   mesh.faces.pop_back();
   write_mesh(folder.file("open.off"), mesh);
-  const Outcome outcome = run({"uniformize", folder.file("open.off"), "-o", folder.file("t.ply")});
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_HAS(only_line(outcome.err), "the surface is open");
-  EXPECT_EQ(folder.entries(), 1U);
+  const Outcome outcome =
+      run({"uniformize", folder.file("open.off"), "-o", folder.file("t.ply"), "--group",
+           folder.file("g.json"), "--report", folder.file("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string ply = slurp(folder.file("t.ply"));
+  EXPECT_HAS(ply, "comment genus 2\nelement vertex 477\n");
+  EXPECT_HAS(ply, "property double log_scale\nproperty int mirror\nelement face 958\n");
+  EXPECT_EQ(read_mesh(folder.file("t.ply")).faces.size(), 958U);
+  EXPECT_EQ(read_json(folder.file("g.json"))["generators"].size(), 4U);
+  EXPECT_EQ(read_json(folder.file("r.json"))["uniformization"]["genus"], 2);
 }
 
 }  // namespace

@@ -65,8 +65,17 @@ TEST(BisectEdges, MakesEdgesShortAndKeepsTheSurface) {
   TriangleMesh mesh = open_surface(torus_with_two_holes()).mesh;
   const MeshSurvey before = survey(mesh);
   std::vector<double> size(mesh.positions.size(), 0.1);
-  bisect_edges(mesh, size);
+  const TriangleMesh coarse = mesh;
+  const auto part_of = bisect_edges(mesh, size);
   const MeshSurvey after = survey(mesh);
+  ASSERT_EQ(part_of.size(), mesh.faces.size());
+  std::vector<double> area(coarse.faces.size(), 0);
+  for (std::size_t f = 0; f < part_of.size(); ++f) {
+    area[static_cast<std::size_t>(part_of[f])] += face_area(mesh, mesh.faces[f]);
+  }
+  for (std::size_t f = 0; f < area.size(); ++f) {
+    EXPECT_NEAR(area[f] / face_area(coarse, coarse.faces[f]), 1, 1e-12);
+  }
   EXPECT_EQ(size.size(), mesh.positions.size());
   EXPECT_LE(after.edge_max, 0.1);
   EXPECT_NEAR(after.area, before.area, 1e-12 * before.area);
