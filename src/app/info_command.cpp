@@ -62,7 +62,7 @@ std::string genus_text(const MeshSurvey& counts) {
 
 std::string verdict(const std::string& refusal, bool open) {
   return !refusal.empty() ? "refuses it: " + refusal
-         : open           ? "takes it; partition and uniformize need a closed surface"
+         : open           ? "takes it, with its boundary"
                           : "takes it";
 }
 

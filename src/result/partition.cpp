@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <unordered_set>
 
 #include "conformal/overlay.h"
@@ -27,19 +28,18 @@ std::size_t index(std::int32_t i) {
 
 Overlay overlay_of(const Uniformized& t, const CellComplex& cells) {
   const Connectivity& c = t.surface.connectivity();
+  std::string fault = "the boundaries of the cells do not fit together to rounding";
   for (const double margin : margins) {
     try {
       Overlay out(c, cell_curves(t, cells.delaunay, cells.places, margin));
       if (out.is_embedded(c.euler_number())) {
         return out;
       }
-    } catch (const NumericalError&) {
-      if (margin == std::end(margins)[-1]) {
-        throw;
-      }
+    } catch (const NumericalError& error) {
+      fault = error.what();
     }
   }
-  throw NumericalError("the boundaries of the cells do not fit together to rounding");
+  throw NumericalError(fault + ", as happens where limbs are much thinner than cells; ask for more");
 }
 
 /// Gathers the faces of the cut surface, input face by input face.

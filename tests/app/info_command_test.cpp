@@ -47,7 +47,7 @@ TEST(InfoCommand, SaysWhatRemeshTakesAndRefuses) {
   EXPECT_EQ(report["acceptable"], true);
   EXPECT_TRUE(report["refusal"].is_null());
   EXPECT_HAS(value_of(run({"info", folder.file("open.off")}).out, "remesh"),
-             "takes it; partition and uniformize need a closed surface");
+             "takes it, with its boundary");
   EXPECT_EQ(report["topology"]["boundary_edges"], 3);
   EXPECT_EQ(report["input"]["genus"], 1);
 
