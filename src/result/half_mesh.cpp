@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "cvt/multilevel.h"
 #include "ucvt/error.h"
 
 namespace ucvt {
@@ -144,6 +145,19 @@ std::vector<Halfedge> HalfView::edges_not_simplicial() const {
       out.push_back(h);
     }
   }
+  return out;
+}
+
+std::vector<Halfedge> HalfView::inner_edges() const {
+  const Connectivity& c = d_.connectivity();
+  std::vector<bool> in_half(c.halfedge_count(), false);
+  for (const Face f : faces()) {
+    for (const Halfedge h : halfedges(f)) {
+      in_half[h.index()] = !wall_[h.index()];
+    }
+  }
+  std::vector<Halfedge> out = longest_edges(d_, c.halfedge_count());
+  std::erase_if(out, [&](Halfedge h) { return !in_half[h.index()]; });
   return out;
 }
 

@@ -46,6 +46,8 @@ class HalfView {
 
   /// Edges of the half that are loops, and of several between the same sites all but one.
   [[nodiscard]] std::vector<Halfedge> edges_not_simplicial() const;
+  /// Edges of the half that do not run along the line, the longest for their surroundings first.
+  [[nodiscard]] std::vector<Halfedge> inner_edges() const;
   /// The middle of an edge of the half and its mirror image.
   [[nodiscard]] std::array<SurfacePoint, 2> middle(Halfedge h) const;
 

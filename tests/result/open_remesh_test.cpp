@@ -83,6 +83,20 @@ INSTANTIATE_TEST_SUITE_P(Open, OpenRemeshTest,
                                               1, 2, 200}),
                          [](const auto& c) { return c.param.name; });
 
+TEST(OpenRemesh, LevelsLeadToLessEnergyThanSitesFarApart) {
+  for (const TriangleMesh& mesh : {oracle::tube(30, 20), oracle::torus_with_holes(1)}) {
+    const OpenSurface surface = open_surface(mesh);
+    RemeshOptions options;
+    options.sites = 600;
+    const RemeshResult levels = remesh(surface, options);
+    options.init = InitialSites::Farthest;
+    const RemeshResult far = remesh(surface, options);
+    EXPECT_EQ(levels.mesh.positions.size(), 600U);
+    EXPECT_LT(levels.cvt.energy.back(), 0.999 * far.cvt.energy.back());
+    EXPECT_GT(levels.report.quality.regular, far.report.quality.regular);
+  }
+}
+
 TEST(OpenRemesh, CornersAreVertices) {
   const OpenSurface surface = open_surface(oracle::plate(8));
   RemeshOptions options;
