@@ -42,10 +42,10 @@ template <int terms>
   const LanePoint on01 = on_side(at0, at1, s01), on02 = on_side(at0, at2, s02);
   const LanePoint on12 = on_side(at1, at2, s12);
   LaneWeights part0, part1;
-  add_piece<terms>(kappa, f.whole, rule, at0, on01, meeting, part0);
-  add_piece<terms>(kappa, f.whole, rule, at0, meeting, on02, part0);
-  add_piece<terms>(kappa, f.whole, rule, at1, on12, meeting, part1);
-  add_piece<terms>(kappa, f.whole, rule, at1, meeting, on01, part1);
+  add_piece<terms>(kappa, f.whole, rule, {at0, on01, meeting}, part0);
+  add_piece<terms>(kappa, f.whole, rule, {at0, meeting, on02}, part0);
+  add_piece<terms>(kappa, f.whole, rule, {at1, on12, meeting}, part1);
+  add_piece<terms>(kappa, f.whole, rule, {at1, meeting, on01}, part1);
   const auto& share = f.share;
   part0.mu0 -= share[0].mu, part0.excess -= share[0].excess;
   part1.mu1 -= share[1].mu, part1.excess -= share[1].excess;

@@ -148,17 +148,17 @@ inline void set_lane(LaneIsometry& lanes, std::size_t n, const Isometry& frame) 
   return less(gap, most) * less(-most, gap);
 }
 
-/// Adds the triangle with corners a, b, c.
+/// Adds a triangle by its corners.
 template <int terms>
 [[gnu::always_inline]] inline void add_piece(double kappa, const LaneFace& f,
                                              const std::vector<QuadratureNode>& rule,
-                                             const LanePoint& a, const LanePoint& b,
-                                             const LanePoint& c, LaneWeights& out) {
+                                             const std::array<LanePoint, 3>& p, LaneWeights& out) {
   const Lanes jacobian =
-      f.det / 2 * ((b.b1 - a.b1) * (c.b2 - a.b2) - (b.b2 - a.b2) * (c.b1 - a.b1));
+      f.det / 2 *
+      ((p[1].b1 - p[0].b1) * (p[2].b2 - p[0].b2) - (p[1].b2 - p[0].b2) * (p[2].b1 - p[0].b1));
   for (const QuadratureNode& q : rule) {
-    const Lanes l1 = q.b0 * a.b1 + q.b1 * b.b1 + q.b2 * c.b1;
-    const Lanes l2 = q.b0 * a.b2 + q.b1 * b.b2 + q.b2 * c.b2;
+    const Lanes l1 = q.b0 * p[0].b1 + q.b1 * p[1].b1 + q.b2 * p[2].b1;
+    const Lanes l2 = q.b0 * p[0].b2 + q.b1 * p[1].b2 + q.b2 * p[2].b2;
     add_nodes<terms>(kappa, f.chord2, f.density, {1 - l1 - l2, l1, l2}, q.weight * jacobian, out);
   }
 }

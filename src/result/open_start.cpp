@@ -88,12 +88,12 @@ class OpenStart {
   /// Sites on the boundary: fewer than asked for in all, if its loops and corners allow that.
   [[nodiscard]] std::vector<std::vector<BoundarySite>> sparse_boundary(std::size_t asked,
                                                                        double spacing) const {
-    for (int tries = 0;; ++tries, spacing *= 1.25) {
-      auto out = boundary_sites(made_.half, made_.curves, spacing);
-      if (count(out) < asked || tries == max_tries) {
-        return out;
-      }
+    auto out = boundary_sites(made_.half, made_.curves, spacing);
+    for (int tries = 0; tries < max_tries && count(out) >= asked; ++tries) {
+      spacing *= 1.25;
+      out = boundary_sites(made_.half, made_.curves, spacing);
     }
+    return out;
   }
 
   static std::size_t count(const std::vector<std::vector<BoundarySite>>& boundary) {
