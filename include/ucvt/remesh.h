@@ -148,9 +148,9 @@ RemeshResult remesh(const ClosedSurface& surface, const RemeshOptions& options =
 /// boundary among them. These lie on the edges of the input's boundary, one at every corner that turns
 /// by more than 30 degrees. `surface` of the result is T of the double, `sites` are all of the double's
 /// (on the boundary first, then pair by pair), and so are `cells`; uniformity is that of the double,
-/// and a boundary vertex' cell is counted with its mirror image. Checkpoints are not called. Throws as
-/// for closed surfaces, and InvalidInput when there are fewer sites than the boundary needs, or initial
-/// sites are asked for.
+/// and a boundary vertex' cell is counted with its mirror image. `init` may be Multilevel or Farthest;
+/// checkpoints are not called. Throws as for closed surfaces, and InvalidInput when there are fewer sites
+/// than the boundary needs, or initial sites are asked for.
 RemeshResult remesh(const OpenSurface& surface, const RemeshOptions& options = {});
 
 /// Reads and writes the sites of a tessellation as JSON (docs/formats.md).

@@ -89,7 +89,7 @@ void CellCorners::take(Face f, const std::array<std::size_t, 3>& vertices, CellS
   const std::size_t to1 = find_pair(star0, site[1], site[2]);
   const std::size_t to2 = find_pair(star1, site[2], site[0]);
   const FacePieces& pieces = mass_.pieces(f);
-  const std::size_t kind = face_kind(pieces.triangle);
+  const std::size_t kind = face_kind(mass_.surface().space(), pieces.triangle);
   if (to1 == n0 || to2 == n1 || kind == face_kinds.size()) {
     others.push_back(f);
     return;

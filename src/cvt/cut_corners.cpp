@@ -55,7 +55,7 @@ void CutCorners::take(Face f, const std::array<std::size_t, 3>& vertices, std::s
   const auto sites = stars_.sites(site);
   const auto found = std::find(sites.begin(), sites.end(), rest);
   const FacePieces& pieces = mass_.pieces(f);
-  const std::size_t kind = face_kind(pieces.triangle);
+  const std::size_t kind = face_kind(mass_.surface().space(), pieces.triangle);
   if (found == sites.end() || kind == face_kinds.size()) {
     others.push_back(f);
     return;

@@ -42,7 +42,7 @@ struct LaneShare {
 };
 
 /// Faces of similar size: the rule and the series that integrate pieces of faces with squared sides
-/// below the bound to 1e-11, as in space/moments.cpp.
+/// below the bound to 1e-11, as in space/moments.cpp. In the plane, where the first is exact, all are of it.
 struct FaceKind {
   double side2;
   int degree;
@@ -51,8 +51,8 @@ constexpr std::array<FaceKind, 4> face_kinds{
     {{7.5e-5, 5}, {short_series_side2, 6}, {9.5e-3, 8}, {6e-2, 12}}};
 
 /// The kind of a face; face_kinds.size() where it is too big for all.
-inline std::size_t face_kind(const ChordTriangle& t) {
-  const double side2 = std::max({t.chord2[0], t.chord2[1], t.chord2[2]});
+inline std::size_t face_kind(Space s, const ChordTriangle& t) {
+  const double side2 = s.kappa == 0 ? 0 : std::max({t.chord2[0], t.chord2[1], t.chord2[2]});
   std::size_t kind = 0;
   while (kind < face_kinds.size() && !(side2 < face_kinds[kind].side2)) {
     ++kind;

@@ -39,7 +39,8 @@ Overlay overlay_of(const Uniformized& t, const CellComplex& cells) {
       fault = error.what();
     }
   }
-  throw NumericalError(fault + ", as happens where limbs are much thinner than cells; ask for more");
+  throw NumericalError(fault +
+                       ", as happens where limbs are much thinner than cells; ask for more");
 }
 
 /// Gathers the faces of the cut surface, input face by input face.
