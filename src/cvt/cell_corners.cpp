@@ -80,6 +80,18 @@ std::size_t find_pair(std::span<const Vertex> star, Vertex a, Vertex b) {
 
 }  // namespace
 
+CellCorners::CellCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts)
+    : mass_(mass),
+      stars_(stars),
+      lifts_(lifts),
+      batches_(mass.surface().space().kappa, cut_small, cut_bigger) {}
+
+void CellCorners::Shares::add_to(CellShares& cells, const Faces& faces, std::size_t n) const {
+  cells.of(faces.site[0][n]) += lane(of[0], n);
+  cells.of(faces.site[1][n]) += lane(of[1], n);
+  cells.of(faces.site[2][n]) -= lane(of[2], n);
+}
+
 void CellCorners::take(Face f, const std::array<std::size_t, 3>& vertices, CellShares& out,
                        std::vector<Face>& others) {
   const std::array<Vertex, 3> site{lifts_.owner[vertices[0]], lifts_.owner[vertices[1]],
@@ -94,9 +106,8 @@ void CellCorners::take(Face f, const std::array<std::size_t, 3>& vertices, CellS
     others.push_back(f);
     return;
   }
-  Batch& batch = batches_[kind];
-  Faces& to = batch.faces;
-  const std::size_t n = batch.size++;
+  Faces& to = batches_.faces(kind);
+  const std::size_t n = batches_.next_lane(kind);
   to.face[n] = f;
   set_lane(to.whole, n, pieces, {0, 1, 2});
   set_lane(to.share[0], n, pieces.share(0));
@@ -112,41 +123,7 @@ void CellCorners::take(Face f, const std::array<std::size_t, 3>& vertices, CellS
   set_lane(to.after, n, offsets0[(to1 + 2) % n0]);
   set_lane(to.opposite, n, stars_.offsets(site[1])[(to2 + n1 - 1) % n1]);
   set_lane(to.from_2_to_1, n, stars_.frames(site[1])[to2]);
-  if (batch.size == 4) {
-    add(kind, out, others);
-  }
-}
-
-void CellCorners::finish(CellShares& out, std::vector<Face>& others) {
-  for (std::size_t kind = 0; kind < face_kinds.size(); ++kind) {
-    add(kind, out, others);
-  }
-}
-
-void CellCorners::add(std::size_t kind, CellShares& out, std::vector<Face>& others) {
-  Batch& batch = batches_[kind];
-  if (batch.size == 0) {
-    return;
-  }
-  const Faces& f = batch.faces;
-  const double kappa = mass_.surface().space().kappa;
-  const auto& rule = triangle_rule(face_kinds[kind].degree);
-  Shares shares;
-  if (face_kinds[kind].side2 <= short_series_side2) {
-    cut_small(f, kappa, rule, shares);
-  } else {
-    cut_bigger(f, kappa, rule, shares);
-  }
-  for (std::size_t n = 0; n < batch.size; ++n) {
-    if (shares.is_valid[n] > 0) {
-      out.of(f.site[0][n]) += lane(shares.of[0], n);
-      out.of(f.site[1][n]) += lane(shares.of[1], n);
-      out.of(f.site[2][n]) -= lane(shares.of[2], n);
-    } else {
-      others.push_back(f.face[n]);
-    }
-  }
-  batch.size = 0;
+  batches_.cut_if_full(kind, out, others);
 }
 
 }  // namespace ucvt

@@ -5,16 +5,14 @@
 
 #include <vector>
 
-#include "cvt/cell_shares.h"
-#include "cvt/face_lanes.h"
+#include "cvt/face_batches.h"
 
 namespace ucvt {
 
 class CellCorners {
  public:
   /// Keeps references to all of them; one object for one thread.
-  CellCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts)
-      : mass_(mass), stars_(stars), lifts_(lifts) {}
+  CellCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts);
 
   /// Takes a face whose corners lie in three cells; the corners' ranks are given. Adds to the cells once
   /// there are four of a kind. Faces that turn out to be cut in other ways go to `others`.
@@ -22,7 +20,7 @@ class CellCorners {
             std::vector<Face>& others);
 
   /// Adds what was taken and not yet added.
-  void finish(CellShares& out, std::vector<Face>& others);
+  void finish(CellShares& out, std::vector<Face>& others) { batches_.finish(out, others); }
 
   /// By lane. Corners are in the frame of site 0 or brought there, unless said.
   struct Faces {
@@ -41,21 +39,14 @@ class CellCorners {
   struct Shares {
     Lanes is_valid;  ///< 1 where the face is as it should be, else 0
     std::array<LaneMoments, 3> of;
+    void add_to(CellShares& cells, const Faces& faces, std::size_t n) const;
   };
 
  private:
-  /// Faces of one kind.
-  struct Batch {
-    Faces faces;
-    std::size_t size = 0;
-  };
-
-  void add(std::size_t kind, CellShares& out, std::vector<Face>& others);
-
   const SurfaceMass& mass_;
   const Stars& stars_;
   const Lifts& lifts_;
-  std::array<Batch, face_kinds.size()> batches_;
+  FaceBatches<Faces, Shares> batches_;
 };
 
 }  // namespace ucvt

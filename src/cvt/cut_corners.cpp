@@ -48,6 +48,17 @@ UCVT_WIDE void cut_bigger(const CutCorners::Faces& f, double kappa,
 
 }  // namespace
 
+CutCorners::CutCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts)
+    : mass_(mass),
+      stars_(stars),
+      lifts_(lifts),
+      batches_(mass.surface().space().kappa, cut_small, cut_bigger) {}
+
+void CutCorners::Shares::add_to(CellShares& cells, const Faces& faces, std::size_t n) const {
+  cells.of(faces.alone[n]) += lane(alone, n);
+  cells.of(faces.rest[n]) -= lane(rest, n);
+}
+
 void CutCorners::take(Face f, const std::array<std::size_t, 3>& vertices, std::size_t alone,
                       CellShares& out, std::vector<Face>& others) {
   const std::array<std::size_t, 3> corner{alone, (alone + 1) % 3, (alone + 2) % 3};
@@ -60,9 +71,9 @@ void CutCorners::take(Face f, const std::array<std::size_t, 3>& vertices, std::s
     others.push_back(f);
     return;
   }
-  Batch& batch = batches_[kind];
-  Faces& to = batch.faces;
-  const std::size_t n = batch.size++, across = static_cast<std::size_t>(found - sites.begin());
+  Faces& to = batches_.faces(kind);
+  const std::size_t n = batches_.next_lane(kind),
+                    across = static_cast<std::size_t>(found - sites.begin());
   const auto offsets = stars_.offsets(site);
   to.face[n] = f, to.alone[n] = site, to.rest[n] = rest;
   set_lane(to.whole, n, pieces, corner);
@@ -73,37 +84,7 @@ void CutCorners::take(Face f, const std::array<std::size_t, 3>& vertices, std::s
   set_lane(to.to_rest, n, stars_.frames(site)[across]);
   set_lane(to.before, n, offsets[across == 0 ? sites.size() - 1 : across - 1]);
   set_lane(to.after, n, offsets[across + 1 == sites.size() ? 0 : across + 1]);
-  if (batch.size == 4) {
-    add(kind, out, others);
-  }
-}
-
-void CutCorners::finish(CellShares& out, std::vector<Face>& others) {
-  for (std::size_t kind = 0; kind < face_kinds.size(); ++kind) {
-    add(kind, out, others);
-  }
-}
-
-void CutCorners::add(std::size_t kind, CellShares& out, std::vector<Face>& others) {
-  Batch& batch = batches_[kind];
-  const Faces& f = batch.faces;
-  const double kappa = mass_.surface().space().kappa;
-  const auto& rule = triangle_rule(face_kinds[kind].degree);
-  Shares shares;
-  if (face_kinds[kind].side2 <= short_series_side2) {
-    cut_small(f, kappa, rule, shares);
-  } else {
-    cut_bigger(f, kappa, rule, shares);
-  }
-  for (std::size_t n = 0; n < batch.size; ++n) {
-    if (shares.is_valid[n] > 0) {
-      out.of(f.alone[n]) += lane(shares.alone, n);
-      out.of(f.rest[n]) -= lane(shares.rest, n);
-    } else {
-      others.push_back(f.face[n]);
-    }
-  }
-  batch.size = 0;
+  batches_.cut_if_full(kind, out, others);
 }
 
 }  // namespace ucvt

@@ -5,16 +5,14 @@
 
 #include <vector>
 
-#include "cvt/cell_shares.h"
-#include "cvt/face_lanes.h"
+#include "cvt/face_batches.h"
 
 namespace ucvt {
 
 class CutCorners {
  public:
   /// Keeps references to all of them; one object for one thread.
-  CutCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts)
-      : mass_(mass), stars_(stars), lifts_(lifts) {}
+  CutCorners(const SurfaceMass& mass, const Stars& stars, const Lifts& lifts);
 
   /// Takes a face whose corner of that number lies in one cell, the others in another's; its corners'
   /// ranks are given. Adds to the cells once there are four of a kind. Faces that turn out to be cut in
@@ -23,7 +21,7 @@ class CutCorners {
             std::vector<Face>& others);
 
   /// Adds what was taken and not yet added.
-  void finish(CellShares& out, std::vector<Face>& others);
+  void finish(CellShares& out, std::vector<Face>& others) { batches_.finish(out, others); }
 
   /// Faces whose corner 0 alone lies in one cell, by lane.
   struct Faces {
@@ -41,21 +39,14 @@ class CutCorners {
   struct Shares {
     Lanes is_valid;  ///< 1 where the face is as it should be, else 0
     LaneMoments alone, rest;
+    void add_to(CellShares& cells, const Faces& faces, std::size_t n) const;
   };
 
  private:
-  /// Faces of one kind.
-  struct Batch {
-    Faces faces;
-    std::size_t size = 0;
-  };
-
-  void add(std::size_t kind, CellShares& out, std::vector<Face>& others);
-
   const SurfaceMass& mass_;
   const Stars& stars_;
   const Lifts& lifts_;
-  std::array<Batch, face_kinds.size()> batches_;
+  FaceBatches<Faces, Shares> batches_;
 };
 
 }  // namespace ucvt

@@ -58,17 +58,14 @@ class HalfPartition {
     for (std::size_t f = 0; f < out_.cell.size(); ++f) {
       share[{out_.input_face[f], out_.cell[f]}] += face_area(whole_.mesh, out_.mesh.faces[f]);
     }
-    std::int32_t last = -1;
-    double most = 0;
+    const auto last = std::max_element(half_.input_face.begin(), half_.input_face.end());
+    out_.face_cell.assign(index(*last) + 1, -1);
+    std::vector<double> most(out_.face_cell.size(), -1);
     for (const auto& [part, area] : share) {
-      if (part.first != last) {
-        out_.face_cell.push_back(part.second);
-        most = area;
-      } else if (area > most) {
-        out_.face_cell.back() = part.second;
-        most = area;
+      const std::size_t face = index(part.first);
+      if (area > most[face]) {
+        most[face] = area, out_.face_cell[face] = part.second;
       }
-      last = part.first;
     }
   }
 
