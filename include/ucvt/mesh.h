@@ -66,9 +66,10 @@ struct MeshSurvey {
 /// Counts everything `ucvt info` reports. Never throws on a mesh that `read_mesh` returned.
 MeshSurvey survey(const TriangleMesh& mesh);
 
-/// The area of a face, in squares of the mesh's unit, and the sum over all faces. Scaled: neither overflows
-/// nor vanishes early.
+/// The area of a face, in squares of the mesh's unit. Neither overflows nor vanishes early.
 double face_area(const TriangleMesh& mesh, const Corners& face);
+
+/// The sum of the faces' areas.
 double surface_area(const TriangleMesh& mesh);
 
 /// A mesh fit for uniformization, and how it was got.

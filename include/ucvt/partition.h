@@ -24,8 +24,8 @@ struct PartitionCell {
 
 /// Faces and vertices of the input are those of the ClosedSurface or OpenSurface that was remeshed.
 struct Partition {
-  TriangleMesh
-      mesh;  ///< the input's vertices first and in their order; oriented, closed if that is
+  /// The input's vertices first and in their order; oriented, closed if that is.
+  TriangleMesh mesh;
   std::vector<std::int32_t> cell;         ///< of each face of the mesh; site i's is cell i
   std::vector<std::int32_t> input_face;   ///< face of the input that each face of the mesh lies in
   std::vector<std::int32_t> vertex_cell;  ///< cell of each vertex of the input
@@ -39,10 +39,9 @@ struct Partition {
 /// Every face of the result lies in one face of the input and in one cell. The result is an oriented
 /// manifold with the input's genus and boundary, and every cell's inside is one open disk, by
 /// construction (its closure is a disk when the dual mesh is simplicial). Cells on the boundary end there:
-/// the boundary is none of their sides. Boundaries are where doubles put them,
-/// to about 1e-9 of T's faces. Throws NumericalError when all
-/// boundaries lie inside one input face, or when doubles do not tell the boundaries apart. Source:
-/// docs/mapping-back.md.
+/// the boundary is none of their sides. Boundaries are where doubles put them, to about 1e-9 of T's faces.
+/// Throws NumericalError when all boundaries lie inside one input face, or when doubles do not tell the
+/// boundaries apart. Source: docs/mapping-back.md.
 Partition partition(const RemeshResult& result);
 
 /// Writes the cut surface as PLY: face properties `cell`, `red`, `green`,
