@@ -215,7 +215,7 @@ void make_euclidean_delaunay(IntrinsicTriangulation& t) {
   flip_to_delaunay(t, std::move(all));
 }
 
-void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
+void refine(IntrinsicTriangulation& t, std::vector<double>& size, std::vector<double>& log_scale) {
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry> queue;
   const auto push = [&](Halfedge h) {
@@ -246,9 +246,11 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size) {
     const double jk = t.log_length[h.next().index()], mj = t.log_length[twin.prev().index()];
     const auto faces = static_cast<std::int32_t>(t.connectivity.face_count());
     const std::array<Face, 2> added{Face{faces}, Face{faces + 1}};
-    const double between = wanted_length(t, size, h);
+    size.push_back(wanted_length(t, size, h));
+    log_scale.push_back((log_scale[t.connectivity.origin(h).index()] +
+                         log_scale[t.connectivity.head(h).index()]) /
+                        2);
     t.connectivity.split_edge(h);
-    size.push_back(between);
     t.log.add_split(h, twin, added);
     ++t.splits;
     t.log_length.resize(t.connectivity.halfedge_count());

@@ -31,10 +31,10 @@ IntrinsicTriangulation intrinsic_triangulation(const TriangleMesh& mesh);
 void make_euclidean_delaunay(IntrinsicTriangulation& t);
 
 /// Splits edges in their middle, longest first, until none is longer than the mean of the sizes
-/// wanted at its ends, keeping the triangulation Delaunay. `size` (positive, by vertex) grows with
-/// it: a new vertex gets the mean of the ends it lies between. Faces are renumbered, each new one next to
+/// wanted at its ends, keeping the triangulation Delaunay. `size` (positive, by vertex) and `log_scale` grow
+/// with it: a new vertex gets the mean of the ends it lies between. Faces are renumbered, each new one next to
 /// that which it was cut from: memory keeps the order of space. Requires a Delaunay triangulation.
-void refine(IntrinsicTriangulation& t, std::vector<double>& size);
+void refine(IntrinsicTriangulation& t, std::vector<double>& size, std::vector<double>& log_scale);
 
 /// A third of the Euclidean area of each vertex' star.
 std::vector<double> euclidean_vertex_areas(const IntrinsicTriangulation& t);

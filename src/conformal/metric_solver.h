@@ -36,6 +36,9 @@ class MetricSolver {
   /// Called after each step with the iteration and the angle error; returning false stops.
   using Watch = std::function<bool(int, double)>;
 
+  /// Whether log scales that are known roughly are all that is needed.
+  using Enough = std::function<bool(const std::vector<double>&)>;
+
   /// Newton steps until the angle error is below `tolerance`, well below on a closed surface unless it
   /// falls no longer, or `limit` steps.
   Result solve(double tolerance, int limit, const Watch& watch);

@@ -324,6 +324,7 @@ MetricSolver::Result polish(IntrinsicTriangulation& t, std::vector<double>& u,
 
 MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>& u,
                                   const std::vector<double>& weight,
+                                  const MetricSolver::Enough& enough,
                                   const MetricSolver::Watch& watch) {
   MetricSolver::Result out;
   const auto candidates = punctures_by_safety(t);
@@ -351,6 +352,10 @@ MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>
     const auto apart = wrap_onto_sphere(t, u, puncture, plane.pin(), weight);
     if (!apart) {
       continue;
+    }
+    if (enough(u)) {
+      out.converged = true;
+      return out;
     }
     const auto polished = polish(t, u, *apart, watch);
     out.iterations += polished.iterations;

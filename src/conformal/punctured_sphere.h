@@ -16,9 +16,11 @@ namespace ucvt {
 ///
 /// `weight` (one per vertex) is balanced: its conformal barycentre lies at the centre, unless half
 /// of it sits at one vertex. Requires a Delaunay triangulation of a sphere. Tries one puncture after
-/// another; converged is false when none of them works.
+/// another; converged is false when none of them works. Where `enough` says so of log scales good to about
+/// 1e-6 it stops there.
 MetricSolver::Result solve_sphere(IntrinsicTriangulation& t, std::vector<double>& u,
                                   const std::vector<double>& weight,
+                                  const MetricSolver::Enough& enough,
                                   const MetricSolver::Watch& watch);
 
 }  // namespace ucvt

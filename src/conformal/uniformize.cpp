@@ -19,6 +19,9 @@ namespace {
 constexpr int max_newton_steps = 200;
 constexpr double angle_tolerance = 1e-10;
 
+/// Angle errors, in radians, with which log scales tell where the surface is to be refined.
+constexpr double rough_angles = 1e-2;
+
 /// Most that the log scale may change along an edge of the refined surface (the density then changes
 /// by a factor of e^2 at most), rounds of refinement towards it, and the share of steep edges that is
 /// not worth a round.
@@ -46,43 +49,51 @@ std::vector<std::int32_t> spatial_order(const TriangleMesh& mesh) {
   return out;
 }
 
+double sum(const std::vector<double>& terms) {
+  return std::accumulate(terms.begin(), terms.end(), 0.0);
+}
+
 struct Solution {
   std::vector<double> u;
   MetricSolver::Result result;
 };
 
-Solution solve_plane(IntrinsicTriangulation& t, double area, const MetricSolver::Watch& watch) {
-  std::vector<VertexRole> role(t.connectivity.vertex_count(), VertexRole::Solved);
-  role[0] = VertexRole::Held;
-  // Flat metrics scale freely: this one keeps the surface's area.
-  Solution out{std::vector<double>(role.size(), 0.0), {}};
-  out.result =
-      MetricSolver(Space{0}, t, out.u, role).solve(angle_tolerance, max_newton_steps, watch);
+/// In the plane and the hyperbolic plane, from `u`.
+Solution solve_from(std::vector<double> u, Space space, IntrinsicTriangulation& t,
+                    const MetricSolver::Enough& enough, const MetricSolver::Watch& watch) {
+  std::vector<VertexRole> role(u.size(), VertexRole::Solved);
+  if (space.kappa == 0) {
+    role[0] = VertexRole::Held;
+  }
+  Solution out{std::move(u), {}};
+  MetricSolver solver(space, t, out.u, std::move(role));
+  out.result = solver.solve(rough_angles, max_newton_steps, watch);
+  if (out.result.converged && !enough(out.u)) {
+    const int before = out.result.iterations;
+    out.result = solver.solve(
+        angle_tolerance, max_newton_steps,
+        [&](int iteration, double error) { return watch(before + iteration, error); });
+    out.result.iterations += before;
+  }
+  return out;
+}
+
+/// Flat metrics scale freely: this makes the surface's area `area`.
+void scale_plane(const IntrinsicTriangulation& t, double area, std::vector<double>& u) {
   double total = 0;
   const auto& c = t.connectivity;
   for (std::size_t f = 0; f < c.face_count(); ++f) {
     std::array<double, 3> chord{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Halfedge h = halfedges({static_cast<std::int32_t>(f)})[i];
-      chord[i] = std::exp(t.log_length[h.index()] +
-                          (out.u[c.origin(h).index()] + out.u[c.head(h).index()]) / 2);
+      chord[i] =
+          std::exp(t.log_length[h.index()] + (u[c.origin(h).index()] + u[c.head(h).index()]) / 2);
     }
     total += triangle_determinant({0}, chord) / 2;
   }
-  for (double& u : out.u) {
-    u -= std::log(total / area) / 2;
+  for (double& x : u) {
+    x -= std::log(total / area) / 2;
   }
-  return out;
-}
-
-Solution solve_hyperbolic(IntrinsicTriangulation& t, double area,
-                          const MetricSolver::Watch& watch) {
-  const double target = -2 * std::numbers::pi * static_cast<double>(t.connectivity.euler_number());
-  const std::size_t n = t.connectivity.vertex_count();
-  Solution out{std::vector<double>(n, std::log(target / area) / 2), {}};
-  MetricSolver solver({-1}, t, out.u, std::vector<VertexRole>(n, VertexRole::Solved));
-  out.result = solver.solve(angle_tolerance, max_newton_steps, watch);
-  return out;
 }
 
 std::vector<double> chords(const IntrinsicTriangulation& t, const std::vector<double>& u) {
@@ -125,15 +136,20 @@ void certify(const UniformSurface& t, double input_area, UniformizationReport& r
   }
 }
 
+/// From `u`, on the sphere from the surface alone.
 Solution solve(IntrinsicTriangulation& t, int genus, const std::vector<double>& vertex_area,
+               std::vector<double> u, const MetricSolver::Enough& enough,
                const MetricSolver::Watch& watch) {
+  Solution out;
   if (genus == 0) {
-    Solution out;
-    out.result = solve_sphere(t, out.u, vertex_area, watch);
-    return out;
+    out.result = solve_sphere(t, out.u, vertex_area, enough, watch);
+  } else if (genus == 1) {
+    out = solve_from(std::move(u), {0}, t, enough, watch);
+    scale_plane(t, sum(vertex_area), out.u);
+  } else {
+    out = solve_from(std::move(u), {-1}, t, enough, watch);
   }
-  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
-  return genus == 1 ? solve_plane(t, area, watch) : solve_hyperbolic(t, area, watch);
+  return out;
 }
 
 /// Lowers the sizes wanted at the ends of edges over which the log scale changes too fast for a
@@ -174,16 +190,28 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
   IntrinsicTriangulation flat = intrinsic_triangulation(input), t;
   make_euclidean_delaunay(flat);
   const bool refining = options.longest_edge > 0;
-  std::vector<double> size(flat.connectivity.vertex_count(), options.longest_edge), vertex_area;
-  Solution solution;
+  const std::size_t n = flat.connectivity.vertex_count();
+  std::vector<double> size(n, options.longest_edge), vertex_area = euclidean_vertex_areas(flat);
+  // Flat metrics keep the input's, hyperbolic ones start with their own area.
+  double start_scale = 0;
+  if (surface.genus > 1) {
+    start_scale =
+        std::log(4 * std::numbers::pi * (surface.genus - 1) / sum(vertex_area)) / 2;
+  }
+  Solution solution{std::vector<double>(n, start_scale), {}};
   int iterations = 0;
   for (int round = 0;; ++round) {
     if (refining) {
-      refine(flat, size);
+      refine(flat, size, solution.u);
+      vertex_area = euclidean_vertex_areas(flat);
     }
-    vertex_area = euclidean_vertex_areas(flat);
     t = flat;
-    solution = solve(t, surface.genus, vertex_area, watch);
+    bool too_coarse = false;
+    const auto enough = [&](const std::vector<double>& u) {
+      too_coarse = refining && round < max_refinements && resolve_log_scale(flat, u, size);
+      return too_coarse;
+    };
+    solution = solve(t, surface.genus, vertex_area, std::move(solution.u), enough, watch);
     iterations += solution.result.iterations;
     if (cancelled) {
       throw Cancelled("interrupted during uniformization; no output was written");
@@ -192,11 +220,11 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
       throw NumericalError(fmt::format("uniformization stopped at an angle error of {:.1e} radians",
                                        solution.result.max_angle_error));
     }
-    if (!refining || round == max_refinements || !resolve_log_scale(flat, solution.u, size)) {
+    if (!too_coarse) {
       break;
     }
   }
-  const double area = std::accumulate(vertex_area.begin(), vertex_area.end(), 0.0);
+  const double area = sum(vertex_area);
   const double kappa = surface.genus == 0 ? 1 : surface.genus == 1 ? 0 : -1;
   UniformSurface uniform({kappa}, t.connectivity, chords(t, solution.u));
   UniformizationReport report;

@@ -153,10 +153,11 @@ TEST(IntrinsicTriangulation, RefiningKeepsTheSurfaceAndLeavesNoLongEdge) {
     const double longest = std::sqrt(area(t) / 300), before = area(t);
     const auto sums = angle_sums(t);
     const auto chi = t.connectivity.euler_number();
-    std::vector<double> size(t.connectivity.vertex_count(), longest);
-    refine(t, size);
+    std::vector<double> size(t.connectivity.vertex_count(), longest), log_scale(size.size());
+    refine(t, size, log_scale);
     EXPECT_TRUE(twins_agree(t));
     EXPECT_EQ(size.size(), t.connectivity.vertex_count());
+    EXPECT_EQ(log_scale.size(), t.connectivity.vertex_count());
     EXPECT_EQ(static_cast<std::size_t>(t.splits), t.connectivity.vertex_count() - sums.size());
     EXPECT_GT(t.splits, 50);
     EXPECT_EQ(t.connectivity.euler_number(), chi);
@@ -237,8 +238,12 @@ TEST(ChangeLog, PointsOfRefinedFlatSurfacesComeBackWhereTheyAre) {
   const TriangleMesh mesh = oracle::cube();
   IntrinsicTriangulation t = intrinsic_triangulation(mesh);
   make_euclidean_delaunay(t);
-  std::vector<double> size(8, 0.2);
-  refine(t, size);
+  const auto height = [](const Position& p) { return p[0] + 2 * p[1] + 3 * p[2]; };
+  std::vector<double> size(8, 0.2), log_scale;
+  for (const Position& p : mesh.positions) {
+    log_scale.push_back(height(p));
+  }
+  refine(t, size, log_scale);
   std::vector<HomogeneousPoint> points;
   for (std::size_t f = 0; f < t.connectivity.face_count(); ++f) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -258,10 +263,11 @@ TEST(ChangeLog, PointsOfRefinedFlatSurfacesComeBackWhereTheyAre) {
     }
     at.push_back(x);
   }
-  int compared = 0;
+  int compared = 0, carried = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Halfedge h{static_cast<std::int32_t>(i)};
     const Position &p = at[i], &q = at[h.next().index()];
+    carried += std::abs(log_scale[t.connectivity.origin(h).index()] - height(p)) < 1e-9 ? 1 : 0;
     const Position& r = at[t.connectivity.twin(h).index()];
     EXPECT_LT(std::hypot(q[0] - r[0], q[1] - r[1], q[2] - r[2]), 1e-9) << "a vertex is one point";
     const double chord = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
@@ -270,14 +276,16 @@ TEST(ChangeLog, PointsOfRefinedFlatSurfacesComeBackWhereTheyAre) {
   }
   // Most edges lie in one side of the cube and are as long as in the metric.
   EXPECT_GT(compared, static_cast<int>(points.size()) / 2);
+  // So do the means of ends, of a function that is linear there.
+  EXPECT_GT(carried, static_cast<int>(points.size()) / 2);
 }
 
 TEST(Refine, FacesThatAreNeighboursHaveNumbersNearEachOther) {
   const TriangleMesh mesh = oracle::grid_torus(20, 12);
   IntrinsicTriangulation t = intrinsic_triangulation(mesh);
   make_euclidean_delaunay(t);
-  std::vector<double> size(mesh.positions.size(), 0.03);
-  refine(t, size);
+  std::vector<double> size(mesh.positions.size(), 0.03), log_scale(size.size());
+  refine(t, size, log_scale);
   const Connectivity& c = t.connectivity;
   ASSERT_GT(c.face_count(), 20 * mesh.faces.size());
   std::size_t near = 0;
