@@ -18,6 +18,10 @@ constexpr int vertices_per_site = 16;
 /// A thinned T with more than this part of T's vertices is not worth it.
 constexpr double most_left = 0.5;
 
+/// Sites resolve the density where its logarithm changes by less than this from one to the next. A level
+/// finds no rest where such a share of its sites does not.
+constexpr double most_change = 4, most_unresolved = 0.25;
+
 /// The coarsest level comes to rest: what defects it has all levels have. The others end where ten steps
 /// lower the energy by little.
 const OptimizeOptions at_rest{.evaluations = 200, .tolerance = 1e-4, .least_decrease = 1e-5};
@@ -99,19 +103,18 @@ class MultilevelStart {
     if (plan_.levels == 0) {
       return {};
     }
-    int left = plan_.levels;
-    while (left > 1 && sites_on(left - 1) <= most_competing) {
-      --left;
+    const int planned = plan_.levels;
+    while (plan_.levels > 1 && unresolved(plan_.levels) > most_unresolved) {
+      --plan_.levels;
     }
-    Level best = start(left, seed);
+    Level best = start(seed);
     if (!best.rested && plan_.levels > 1) {
       // So few do not resolve the density: the level that they would be split into comes first.
       --plan_.levels;
-      left = std::min(left, plan_.levels);
-      best = start(left, seed);
+      best = start(seed);
     }
-    for (int k = 1; k < starts && best.rested; ++k) {
-      Level other = start(left, seed += stride);
+    for (int k = 1; k < starts && best.rested && plan_.levels == planned; ++k) {
+      Level other = start(seed += stride);
       if (other.energy < best.energy) {
         best = std::move(other);
       }
@@ -138,8 +141,43 @@ class MultilevelStart {
 
   [[nodiscard]] int sites_on(int left) const { return sites_on_level(sites_, euler_number_, left); }
 
-  /// From random sites to the level of so many splittings to come, roughly optimised there.
-  [[nodiscard]] Level start(int left, std::uint64_t seed) const {
+  /// The share of so many sites that do not resolve the density.
+  [[nodiscard]] double unresolved(int left) const {
+    const SurfaceMass& mass = grounds_.front().mass();
+    const UniformSurface& t = mass.surface();
+    const Connectivity& c = t.connectivity();
+    // The root of the density is as dense as sites are.
+    struct Part {
+      double sites, change;
+    };
+    std::vector<Part> parts;
+    double whole = 0;
+    for (std::size_t f = 0; f < c.face_count(); ++f) {
+      const Face face{static_cast<std::int32_t>(f)};
+      double root = 0, change = 0;
+      for (const Halfedge h : halfedges(face)) {
+        const double from = mass.density()[c.origin(h).index()];
+        const double to = mass.density()[c.head(h).index()];
+        root += std::sqrt(from) / 3;
+        change = std::max(change, std::abs(std::log(to / from)) / t.chord(h));
+      }
+      parts.push_back({root * t.area(face), change / std::sqrt(root)});
+      whole += parts.back().sites;
+    }
+    const double spacing = std::sqrt(2 * whole / (std::numbers::sqrt3 * sites_on(left)));
+    double sum = 0;
+    for (const Part& p : parts) {
+      sum += p.change * spacing > most_change ? p.sites : 0;
+    }
+    return sum / whole;
+  }
+
+  /// From random sites to the last level on which starts compete, roughly optimised there.
+  [[nodiscard]] Level start(std::uint64_t seed) const {
+    int left = plan_.levels;
+    while (left > 1 && sites_on(left - 1) <= most_competing) {
+      --left;
+    }
     Level level{plan_.levels, {}, 0, true};
     const Ground& coarsest = ground(level);
     level.points = coarsest.to_t(
@@ -176,9 +214,6 @@ class MultilevelStart {
 
   /// That are worth their time on this level.
   [[nodiscard]] int exchanges(const Level& level) const {
-    if (!level.rested) {
-      return 0;
-    }
     const int n = sites_on(level.left);
     if (n <= small_level) {
       return small_exchanges;
