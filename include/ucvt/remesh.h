@@ -28,8 +28,7 @@ enum class Method : char { Lbfgs, Lloyd };
 struct RunProgress {
   int sites = 0;           ///< that were asked for
   int evenings_left = 0;   ///< rounds of evening sizes, on steep surfaces
-  int round = 0;           ///< of making room for a simplicial dual mesh
-  bool closing = false;    ///< the round has made room and ends with a full optimisation
+  int round = 0;           ///< rounds done of making room for a simplicial dual mesh
   int evaluations = 0;     ///< done in the current optimisation
   std::int64_t moved = 0;  ///< sites taken away elsewhere to keep their number
   // CvtReport so far.

@@ -247,9 +247,9 @@ void refine(IntrinsicTriangulation& t, std::vector<double>& size, std::vector<do
     const auto faces = static_cast<std::int32_t>(t.connectivity.face_count());
     const std::array<Face, 2> added{Face{faces}, Face{faces + 1}};
     size.push_back(wanted_length(t, size, h));
-    log_scale.push_back((log_scale[t.connectivity.origin(h).index()] +
-                         log_scale[t.connectivity.head(h).index()]) /
-                        2);
+    log_scale.push_back(
+        (log_scale[t.connectivity.origin(h).index()] + log_scale[t.connectivity.head(h).index()]) /
+        2);
     t.connectivity.split_edge(h);
     t.log.add_split(h, twin, added);
     ++t.splits;

@@ -70,9 +70,9 @@ Solution solve_from(std::vector<double> u, Space space, IntrinsicTriangulation& 
   out.result = solver.solve(rough_angles, max_newton_steps, watch);
   if (out.result.converged && !enough(out.u)) {
     const int before = out.result.iterations;
-    out.result = solver.solve(
-        angle_tolerance, max_newton_steps,
-        [&](int iteration, double error) { return watch(before + iteration, error); });
+    out.result = solver.solve(angle_tolerance, max_newton_steps, [&](int iteration, double error) {
+      return watch(before + iteration, error);
+    });
     out.result.iterations += before;
   }
   return out;
@@ -195,8 +195,7 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
   // Flat metrics keep the input's, hyperbolic ones start with their own area.
   double start_scale = 0;
   if (surface.genus > 1) {
-    start_scale =
-        std::log(4 * std::numbers::pi * (surface.genus - 1) / sum(vertex_area)) / 2;
+    start_scale = std::log(4 * std::numbers::pi * (surface.genus - 1) / sum(vertex_area)) / 2;
   }
   Solution solution{std::vector<double>(n, start_scale), {}};
   int iterations = 0;

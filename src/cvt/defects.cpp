@@ -25,40 +25,9 @@ constexpr std::size_t least_sites = 100;
 
 /// The end of a row of sites, and the sites around.
 struct Region {
-  Halfedge edge;               ///< from a site with less than six neighbours to one with more
-  std::vector<Vertex> moving;  ///< those that move
-  std::vector<Vertex> rim;     ///< those whose cells change with them
+  Halfedge edge;       ///< from a site with less than six neighbours to one with more
+  Neighbourhood part;  ///< of its ends
 };
-
-/// The sites next to some, from number `first` on, that are not among them.
-std::vector<Vertex> next_ring(const Connectivity& d, const std::vector<Vertex>& sites,
-                              std::size_t first) {
-  std::vector<Vertex> out;
-  const auto has = [](const std::vector<Vertex>& list, Vertex v) {
-    return std::find(list.begin(), list.end(), v) != list.end();
-  };
-  for (std::size_t i = first; i < sites.size(); ++i) {
-    d.for_outgoing(sites[i], [&](Halfedge h) {
-      const Vertex v = d.head(h);
-      if (!has(sites, v) && !has(out, v)) {
-        out.push_back(v);
-      }
-    });
-  }
-  return out;
-}
-
-Region region_round(const Connectivity& d, Halfedge edge) {
-  Region out{edge, {d.origin(edge), d.head(edge)}, {}};
-  std::size_t first = 0;
-  for (int ring = 0; ring < moving_rings; ++ring) {
-    const std::vector<Vertex> next = next_ring(d, out.moving, first);
-    first = out.moving.size();
-    out.moving.insert(out.moving.end(), next.begin(), next.end());
-  }
-  out.rim = next_ring(d, out.moving, first);
-  return out;
-}
 
 /// A number without pattern (splitmix64), to take defects in an order that differs from time to time.
 std::uint64_t scrambled(std::uint64_t x) {
@@ -81,17 +50,16 @@ std::vector<Region> disjoint_regions(const Connectivity& d, std::uint64_t seed) 
   const auto is_taken = [&](Vertex v) { return taken[v.index()]; };
   std::vector<Region> out;
   for (const auto& [key, edge] : ends_of_rows) {
-    Region region = region_round(d, edge);
-    if (std::any_of(region.moving.begin(), region.moving.end(), is_taken) ||
-        std::any_of(region.rim.begin(), region.rim.end(), is_taken)) {
+    Neighbourhood part = neighbourhood(d, {d.origin(edge), d.head(edge)}, moving_rings);
+    if (std::ranges::any_of(part.moving, is_taken) || std::ranges::any_of(part.rim, is_taken)) {
       continue;
     }
-    for (const auto* part : {&region.moving, &region.rim}) {
-      for (const Vertex v : *part) {
+    for (const auto* sites : {&part.moving, &part.rim}) {
+      for (const Vertex v : *sites) {
         taken[v.index()] = true;
       }
     }
-    out.push_back(std::move(region));
+    out.push_back({edge, std::move(part)});
   }
   return out;
 }
@@ -202,7 +170,7 @@ class Mender {
     Tessellation trial(*now_);
     const std::vector<Vertex> number = apply(what, regions, trial);
     std::vector<double> out(regions.size());
-    std::vector<Vertex> moving, rim;
+    Neighbourhood all;
     std::vector<std::size_t> region_of_moving, region_of_rim;
     for (std::size_t k = 0; k < regions.size(); ++k) {
       const auto take = [&](Vertex v, std::vector<Vertex>& into, std::vector<std::size_t>& region) {
@@ -211,18 +179,18 @@ class Mender {
           into.push_back(number[v.index()]), region.push_back(k);
         }
       };
-      for (const Vertex v : regions[k].moving) {
-        take(v, moving, region_of_moving);
+      for (const Vertex v : regions[k].part.moving) {
+        take(v, all.moving, region_of_moving);
       }
-      for (const Vertex v : regions[k].rim) {
-        take(v, rim, region_of_rim);
+      for (const Vertex v : regions[k].part.rim) {
+        take(v, all.rim, region_of_rim);
       }
       if (what == Change::Add) {
-        moving.push_back({static_cast<std::int32_t>(number.size() + k)});
+        all.moving.push_back({static_cast<std::int32_t>(number.size() + k)});
         region_of_moving.push_back(k);
       }
     }
-    LocalSites local(trial, moving, rim);
+    LocalSites local(trial, all);
     settle(local, around);
     std::vector<CellState> after;
     local.measure(after);

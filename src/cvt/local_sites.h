@@ -7,11 +7,17 @@
 
 namespace ucvt {
 
+/// What moves when some sites do, and what feels it.
+struct Neighbourhood {
+  std::vector<Vertex> moving;  ///< those sites first, then ring by ring round them
+  std::vector<Vertex> rim;     ///< the ring after: cells there change too
+};
+Neighbourhood neighbourhood(const Connectivity& d, std::vector<Vertex> sites, int rings);
+
 class LocalSites : public SiteSystem {
  public:
-  /// `rim` holds sites whose cells change with those that move. Keeps a reference to the tessellation.
-  LocalSites(Tessellation& sites, const std::vector<Vertex>& moving,
-             const std::vector<Vertex>& rim);
+  /// Keeps a reference to the tessellation.
+  LocalSites(Tessellation& sites, const Neighbourhood& part);
 
   [[nodiscard]] Space space() const override { return sites_.space(); }
   /// First those that move, then the rim.

@@ -12,6 +12,7 @@
 #include <tbb/global_control.h>
 
 #include "cvt/initial_sites.h"
+#include "cvt/local_sites.h"
 #include "cvt/surface_start.h"
 #include "cvt/tessellation.h"
 #include "cvt/uniformity.h"
@@ -29,8 +30,11 @@ namespace {
 /// some ten of T's faces, which resolves the density across them.
 constexpr double edge_per_spacing = 0.7;
 
-/// Rounds of making room for a simplicial dual mesh, and the iterations of a round.
-constexpr int max_rounds = 40, round_iterations = 30;
+/// Rounds of making room for a simplicial dual mesh. After each the sites settle that it left farther from their
+/// centroids than this part of their spacing, and the rings around.
+constexpr int max_rounds = 40, settling_rings = 2;
+constexpr double disturbed = 0.1;
+const OptimizeOptions settling{.evaluations = 20, .tolerance = 1e-2, .springs = false};
 
 /// Part of the sites that may be taken away elsewhere to keep their number; more are added.
 constexpr double most_moved = 0.25;
@@ -206,6 +210,9 @@ class Remesher {
     cvt_.iterations = at_.iterations;
     cvt_.energy = std::move(at_.energy), cvt_.max_move = std::move(at_.max_move);
     place(as_points(options_.initial_sites, t_.surface.connectivity().face_count()));
+    if (at_.round > 0 && at_.evaluations == 0) {
+      make_room();
+    }
   }
 
   /// Limits of the current optimisation.
@@ -218,8 +225,6 @@ class Remesher {
     if (at_.evenings_left > 0) {
       out.evaluations = evening_evaluations;
       out.tolerance = evening_tolerance;
-    } else if (at_.round > 0 && !at_.closing) {
-      out.evaluations = std::min(round_iterations, options_.iterations);
     }
     return out;
   }
@@ -244,16 +249,7 @@ class Remesher {
       even_out();
       return true;
     }
-    if (at_.round > 0 && !at_.closing && edges_not_simplicial(sites_->delaunay()).empty()) {
-      at_.closing = true;
-      restart();
-      return true;
-    }
-    at_.closing = false;
-    if (!options_.ensure_simplicial || at_.round >= max_rounds || !make_room()) {
-      return false;
-    }
-    return true;
+    return options_.ensure_simplicial && make_room();
   }
 
   /// Null where doubles do not suffice.
@@ -356,10 +352,39 @@ class Remesher {
     return out;
   }
 
+  /// Rounds of it, until nothing is in the way. False when nothing was.
+  bool make_room() {
+    bool any = false;
+    while (at_.round < max_rounds && shrink_cells()) {
+      any = true;
+      ++at_.round;
+      settle_disturbed();
+      restart();
+    }
+    return any;
+  }
+
+  void settle_disturbed() {
+    std::vector<CellState> cells;
+    sites_->measure(cells);
+    std::vector<Vertex> centres;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double h = centroid_or_site(sites_->space(), cells[i].moments).h;
+      if (std::sqrt(2 * h) > disturbed * cells[i].spacing) {
+        centres.push_back({static_cast<std::int32_t>(i)});
+      }
+    }
+    const Connectivity& d = sites_->delaunay().connectivity();
+    LocalSites local(*sites_, neighbourhood(d, std::move(centres), settling_rings));
+    if (ucvt::optimize(local, settling, options_.monitor).cancelled) {
+      throw Cancelled("interrupted; no output was written");
+    }
+  }
+
   /// Asks for cells so small, near every edge that keeps the dual mesh from being simplicial, that a
   /// loop of three edges fits round the handle there, and makes the edge's middle a site, in place of
   /// one that is not needed where it is. False when there is no such edge.
-  bool make_room() {
+  bool shrink_cells() {
     const DelaunayTriangulation& d = sites_->delaunay();
     const auto in_the_way = edges_not_simplicial(d);
     if (in_the_way.empty()) {
@@ -389,8 +414,6 @@ class Remesher {
     sites_.reset();
     mass_ = std::make_unique<SurfaceMass>(t_.surface, sizing_density(factor_, size_));
     sites_ = std::make_unique<Tessellation>(*mass_, sites, base());
-    ++at_.round;
-    offer_checkpoint(sites);
     return true;
   }
 

@@ -61,8 +61,7 @@ std::vector<double> read_size(const json& size) {
 }
 
 RunProgress read_progress(const json& object) {
-  if (!object.is_object() || !object.contains("closing") || !object["closing"].is_boolean() ||
-      !object.contains("energy") || !are_numbers(object["energy"]) ||
+  if (!object.is_object() || !object.contains("energy") || !are_numbers(object["energy"]) ||
       !object.contains("max_move") || !are_numbers(object["max_move"])) {
     throw wrong("has a \"progress\" that is none");
   }
@@ -70,7 +69,6 @@ RunProgress read_progress(const json& object) {
   out.sites = read_count(object, "sites");
   out.evenings_left = read_count(object, "evenings_left");
   out.round = read_count(object, "round");
-  out.closing = object["closing"].get<bool>();
   out.evaluations = read_count(object, "evaluations");
   out.moved = read_count(object, "moved");
   out.iterations = read_count(object, "iterations");
@@ -80,15 +78,10 @@ RunProgress read_progress(const json& object) {
 }
 
 json as_json(const RunProgress& progress) {
-  return {{"sites", progress.sites},
-          {"evenings_left", progress.evenings_left},
-          {"round", progress.round},
-          {"closing", progress.closing},
-          {"evaluations", progress.evaluations},
-          {"moved", progress.moved},
-          {"iterations", progress.iterations},
-          {"energy", progress.energy},
-          {"max_move", progress.max_move}};
+  return {{"sites", progress.sites},   {"evenings_left", progress.evenings_left},
+          {"round", progress.round},   {"evaluations", progress.evaluations},
+          {"moved", progress.moved},   {"iterations", progress.iterations},
+          {"energy", progress.energy}, {"max_move", progress.max_move}};
 }
 
 json as_json(const std::vector<Site>& sites) {

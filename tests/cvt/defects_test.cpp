@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +91,25 @@ TEST(Defects, NothingIsToBeMendedInALattice) {
   EXPECT_EQ(energy_of(*sites), before);
 }
 
+TEST(Defects, RingsOfALatticeGrowBySix) {
+  const HexagonalTorus torus;
+  const Tessellation sites(torus.mass(), torus.lattice());
+  const Connectivity& d = sites.delaunay().connectivity();
+  const Neighbourhood part = neighbourhood(d, {{100}}, 2);
+  ASSERT_EQ(part.moving.size(), 1U + 6 + 12);
+  EXPECT_EQ(part.rim.size(), 18U);
+  EXPECT_EQ(part.moving[0], Vertex{100});
+  std::set<Vertex> all(part.moving.begin(), part.moving.end());
+  all.insert(part.rim.begin(), part.rim.end());
+  EXPECT_EQ(all.size(), 37U) << "each once";
+  std::set<Vertex> neighbours;
+  d.for_outgoing({100}, [&](Halfedge h) { neighbours.insert(d.head(h)); });
+  EXPECT_EQ(neighbours, std::set<Vertex>(part.moving.begin() + 1, part.moving.begin() + 7));
+  const Neighbourhood none = neighbourhood(d, {{3}, {100}}, 0);
+  EXPECT_EQ(none.moving, (std::vector<Vertex>{{3}, {100}}));
+  EXPECT_EQ(none.rim.size(), 12U);
+}
+
 TEST(Defects, CanBeInterrupted) {
   const HexagonalTorus torus;
   std::vector<SurfacePoint> points = torus.lattice();
@@ -172,14 +192,9 @@ TEST_P(LocalTest, SitesTakenAwayLeaveTheSameAsNeverPut) {
 TEST_P(LocalTest, SomeSitesMoveAsAmongAllThatStay) {
   const auto sites = settled(150);
   const Connectivity& d = sites->delaunay().connectivity();
-  const std::vector<Vertex> moving{{3}};
-  std::vector<Vertex> rim;
-  d.for_outgoing(moving[0], [&](Halfedge h) {
-    if (d.head(h) != moving[0] && std::find(rim.begin(), rim.end(), d.head(h)) == rim.end()) {
-      rim.push_back(d.head(h));
-    }
-  });
-  LocalSites local(*sites, moving, rim);
+  const Neighbourhood part = neighbourhood(d, {{3}}, 0);
+  const std::vector<Vertex>&moving = part.moving, &rim = part.rim;
+  LocalSites local(*sites, part);
   std::vector<CellState> all, some;
   const auto expect_same = [&] {
     sites->measure(all);

@@ -83,8 +83,12 @@ TEST(Checkpoint, LloydGoesOnToTheSameBits) {
 
 TEST(Checkpoint, RoundsOfMakingRoomGoOnToTheSameBits) {
   RemeshOptions options;
-  options.sites = 12, options.tolerance = 1e-3;
-  expect_resumable(oracle::closed(oracle::voxel_frame(2)), options, 2);
+  options.tolerance = 1e-3;
+  const ClosedSurface frame = oracle::closed(oracle::voxel_frame(3));
+  options.sites = 20;
+  expect_resumable(frame, options, 7);
+  options.sites = 4;  // a restart point after rounds too
+  expect_resumable(frame, options, 6);
 }
 
 TEST(Checkpoint, ProgressThatDoesNotFitIsRefused) {
