@@ -1,10 +1,14 @@
 #include "conformal/metric_solver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include "conformal/sparse_solver.h"
 #include "space/moments.h"
@@ -24,10 +28,24 @@ constexpr double loosest_reduction = 0.001, tightest_reduction = 1e-6;
 /// How far below the tolerance a closed surface is solved where rounding allows.
 constexpr double margin = 40;
 
+/// Items of one task.
+constexpr std::size_t grain = 4096;
+
 constexpr int max_halvings = 40, halvings_before_pins = 6;
 
 /// A link vertex this much farther from the puncture than the pin, in log scale, has left the link.
 constexpr double pin_tolerance = 1e-9;
+
+/// In parallel: items must not depend on each other.
+template <class Body>
+void for_range(std::size_t n, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        body(i);
+                      }
+                    });
+}
 
 }  // namespace
 
@@ -95,17 +113,22 @@ bool MetricSolver::should_flip(Halfedge h) const {
 
 bool MetricSolver::flip_to_delaunay() {
   const Connectivity& c = t_.connectivity;
-  for (std::size_t i = 0; i < half_.size(); ++i) {
+  for_range(half_.size(), [&](std::size_t i) {
     const Halfedge h{static_cast<std::int32_t>(i)};
     if (c.is_canonical(h)) {
       half_[i] = half_[c.twin(h).index()] = half_chord(h);
     }
-  }
+  });
+  // Edges that should not flip now are looked at again when one next to them does.
+  to_flip_.assign(half_.size(), 0);
+  for_range(half_.size(), [&](std::size_t i) {
+    const Halfedge h{static_cast<std::int32_t>(i)};
+    to_flip_[i] = c.is_canonical(h) && should_flip(h) ? 1 : 0;
+  });
   const std::int64_t limit =
       t_.ptolemy_flips + max_flips_per_edge * static_cast<std::int64_t>(half_.size());
   for (std::size_t i = 0; i < half_.size(); ++i) {
-    const Halfedge h{static_cast<std::int32_t>(i)};
-    if (c.is_canonical(h) && !flip_from({h}, limit)) {
+    if (to_flip_[i] != 0 && !flip_from({{static_cast<std::int32_t>(i)}}, limit)) {
       return false;
     }
   }
@@ -177,7 +200,7 @@ void MetricSolver::unpin() {
   link_is_simple_ = true;
 }
 
-bool MetricSolver::add_angles(Face f) {
+bool MetricSolver::measure_angles(Face f) {
   const auto side = halfedges(f);
   std::array<double, 3> x{}, beta{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -196,8 +219,7 @@ bool MetricSolver::add_angles(Face f) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     // The angle opposite to a side is at the origin of the side before it.
-    angle_sum_[t_.connectivity.origin(side[i].prev()).index()] +=
-        std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
+    angle_[side[i].prev().index()] = std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
   }
   return true;
 }
@@ -210,13 +232,21 @@ bool MetricSolver::evaluate() {
   if (!flip_to_delaunay() || !link_is_simple_) {
     return false;
   }
-  angle_sum_.assign(u_.size(), 0);
+  angle_.assign(half_.size(), 0);
   cot_.assign(half_.size(), 0);
-  for (std::size_t f = 0; f < t_.connectivity.face_count(); ++f) {
+  std::atomic<bool> collapsed{false};
+  for_range(t_.connectivity.face_count(), [&](std::size_t f) {
     const Face face{static_cast<std::int32_t>(f)};
-    if (has_geometry(face) && !add_angles(face)) {
-      return false;
+    if (has_geometry(face) && !measure_angles(face)) {
+      collapsed = true;
     }
+  });
+  angle_sum_.assign(u_.size(), 0);
+  for (std::size_t i = 0; i < half_.size(); ++i) {
+    angle_sum_[t_.connectivity.origin({static_cast<std::int32_t>(i)}).index()] += angle_[i];
+  }
+  if (collapsed) {
+    return false;
   }
   gradient_.assign(u_.size(), 0);
   for (std::size_t v = 0; v < u_.size(); ++v) {

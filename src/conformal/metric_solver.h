@@ -67,8 +67,8 @@ class MetricSolver {
   bool flip_from(std::vector<Halfedge> stack, std::int64_t limit);
   void unpin();
   void pin(Halfedge from_puncture, std::vector<Halfedge>& changed);
-  /// Adds the face's angles at its corners; false when it has collapsed.
-  bool add_angles(Face f);
+  /// The face's angles at its corners; false when it has collapsed.
+  bool measure_angles(Face f);
   /// Refreshes chords, flips, angles and the gradient at the present u; false when out of range.
   bool evaluate();
   [[nodiscard]] SymmetricMatrix hessian() const;
@@ -83,7 +83,9 @@ class MetricSolver {
   std::vector<VertexRole> role_;
   std::vector<std::size_t> number_;  ///< of each vertex among the unknowns
   std::vector<double> half_;         ///< half chords by halfedge, at the present u
-  std::vector<double> cot_;  ///< of beta, by the halfedge it is opposite to; 0 without geometry
+  std::vector<double> cot_;    ///< of beta, by the halfedge it is opposite to; 0 without geometry
+  std::vector<double> angle_;  ///< at the origin, by halfedge; 0 without geometry
+  std::vector<char> to_flip_;  ///< by halfedge, when it was last looked at
   std::vector<double> gradient_;  ///< 2 pi - angle sum of solved vertices, 0 elsewhere
   std::vector<double> angle_sum_;
   double pin_ = 0;
