@@ -10,8 +10,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "conformal/face_angles.h"
 #include "conformal/sparse_solver.h"
-#include "space/moments.h"
 
 namespace ucvt {
 namespace {
@@ -200,28 +200,26 @@ void MetricSolver::unpin() {
   link_is_simple_ = true;
 }
 
-bool MetricSolver::measure_angles(Face f) {
-  const auto side = halfedges(f);
-  std::array<double, 3> x{}, beta{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    x[i] = half_[side[i].index()];
+bool MetricSolver::measure_angles(std::size_t first) {
+  const std::size_t last = std::min(first + 4, t_.connectivity.face_count());
+  FourFaces half, angle, cot;
+  half.fill(0.5);  // a triangle in all three geometries
+  for (std::size_t f = first; f < last; ++f) {
+    if (has_geometry({static_cast<std::int32_t>(f)})) {
+      std::copy_n(half_.begin() + static_cast<std::ptrdiff_t>(3 * f), 3,
+                  half.begin() + static_cast<std::ptrdiff_t>(3 * (f - first)));
+    }
   }
-  // S^2 = 16 Area^2 - 4 kappa a^2 b^2 c^2 of half chords is a quarter of the chords' determinant squared.
-  const double S = triangle_determinant(space_, {2 * x[0], 2 * x[1], 2 * x[2]}) / 2;
-  if (!(S > 0)) {
-    return false;
+  const bool valid = face_angles(space_, half, angle, cot);
+  for (std::size_t f = first; f < last; ++f) {
+    const bool has = has_geometry({static_cast<std::int32_t>(f)});
+    for (std::size_t i = 0; i < 3; ++i) {
+      // The angle opposite to a side is at the origin of the side before it.
+      angle_[3 * f + (i + 2) % 3] = has ? angle[3 * (f - first) + i] : 0;
+      cot_[3 * f + i] = has ? cot[3 * (f - first) + i] : 0;
+    }
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double a = x[(i + 1) % 3], b = x[(i + 2) % 3], c = x[i];
-    const double cosine = a * a + (b - c) * (b + c);
-    beta[i] = std::atan2(S, cosine);
-    cot_[side[i].index()] = cosine / S;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    // The angle opposite to a side is at the origin of the side before it.
-    angle_[side[i].prev().index()] = std::numbers::pi - beta[(i + 1) % 3] - beta[(i + 2) % 3];
-  }
-  return true;
+  return valid;
 }
 
 bool MetricSolver::evaluate() {
@@ -232,12 +230,11 @@ bool MetricSolver::evaluate() {
   if (!flip_to_delaunay() || !link_is_simple_) {
     return false;
   }
-  angle_.assign(half_.size(), 0);
-  cot_.assign(half_.size(), 0);
+  angle_.resize(half_.size());
+  cot_.resize(half_.size());
   std::atomic<bool> collapsed{false};
-  for_range(t_.connectivity.face_count(), [&](std::size_t f) {
-    const Face face{static_cast<std::int32_t>(f)};
-    if (has_geometry(face) && !measure_angles(face)) {
+  for_range((t_.connectivity.face_count() + 3) / 4, [&](std::size_t k) {
+    if (!measure_angles(4 * k)) {
       collapsed = true;
     }
   });

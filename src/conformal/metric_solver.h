@@ -67,8 +67,8 @@ class MetricSolver {
   bool flip_from(std::vector<Halfedge> stack, std::int64_t limit);
   void unpin();
   void pin(Halfedge from_puncture, std::vector<Halfedge>& changed);
-  /// The face's angles at its corners; false when it has collapsed.
-  bool measure_angles(Face f);
+  /// Angles of four faces, from the first one's number on; false when one of them has collapsed.
+  bool measure_angles(std::size_t first);
   /// Refreshes chords, flips, angles and the gradient at the present u; false when out of range.
   bool evaluate();
   [[nodiscard]] SymmetricMatrix hessian() const;
