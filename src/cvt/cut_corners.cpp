@@ -1,7 +1,5 @@
 #include "cvt/cut_corners.h"
 
-#include <algorithm>
-
 namespace ucvt {
 namespace {
 
@@ -18,12 +16,16 @@ template <int terms>
   const LaneOffset on_p = between(f.corner, next, p), on_q = between(f.corner, last, q);
   const Lanes zero{};
   const auto& chord2 = f.whole.chord2;
-  out.is_valid = less(at_corner, zero) * less(zero, at_next) * less(zero, at_last) *
-                 is_within(kappa, on_p, f.before) * is_within(kappa, on_q, f.before) *
-                 is_within(kappa, on_p, f.after) * is_within(kappa, on_q, f.after) *
-                 are_joined(kappa, f.corner, next, chord2[0]) *
-                 are_joined(kappa, f.next, f.last, chord2[1]) *
-                 are_joined(kappa, last, f.corner, chord2[2]);
+  const Lanes is_cut = less(at_corner, zero) * less(zero, at_next) * less(zero, at_last) *
+                       are_joined(kappa, f.corner, next, chord2[0]) *
+                       are_joined(kappa, f.next, f.last, chord2[1]) *
+                       are_joined(kappa, last, f.corner, chord2[2]);
+  const Lanes before =
+      is_cut * (2 - is_within(kappa, on_p, f.before) - is_within(kappa, on_q, f.before));
+  const Lanes after =
+      is_cut * (2 - is_within(kappa, on_p, f.after) - is_within(kappa, on_q, f.after));
+  out.is_valid = is_cut * less(before + after, zero + 1);
+  out.third = after - before;
   LaneWeights w;
   const Lanes jacobian = f.whole.det / 2 * (p * q);
   for (const QuadratureNode& node : rule) {
@@ -52,7 +54,27 @@ CutCorners::CutCorners(const SurfaceMass& mass, const Stars& stars, const Lifts&
     : mass_(mass),
       stars_(stars),
       lifts_(lifts),
-      batches_(mass.surface().space().kappa, cut_small, cut_bigger) {}
+      batches_(batches(mass.surface().space().kappa, 1)) {}
+
+FaceBatches<CutCorners::Faces, CutCorners::Shares> CutCorners::batches(double kappa,
+                                                                       std::size_t lanes_a_face) {
+  return {kappa, cut_small, cut_bigger, lanes_a_face};
+}
+
+void CutCorners::Faces::set(std::size_t n, Face f, const FacePieces& pieces, const Stars& stars,
+                            const Corner& cut) {
+  const auto offsets = stars.offsets(cut.alone);
+  const std::size_t size = offsets.size();
+  face[n] = f, alone[n] = cut.alone, rest[n] = stars.sites(cut.alone)[cut.across];
+  set_lane(whole, n, pieces, {cut.number, (cut.number + 1) % 3, (cut.number + 2) % 3});
+  set_lane(share, n, pieces.share(cut.number));
+  set_lane(corner, n, cut.at);
+  set_lane(next, n, cut.next);
+  set_lane(last, n, cut.last);
+  set_lane(to_rest, n, stars.frames(cut.alone)[cut.across]);
+  set_lane(before, n, offsets[cut.across == 0 ? size - 1 : cut.across - 1]);
+  set_lane(after, n, offsets[cut.across + 1 == size ? 0 : cut.across + 1]);
+}
 
 void CutCorners::Shares::add_to(CellShares& cells, const Faces& faces, std::size_t n) const {
   cells.of(faces.alone[n]) += lane(alone, n);
@@ -60,31 +82,20 @@ void CutCorners::Shares::add_to(CellShares& cells, const Faces& faces, std::size
 }
 
 void CutCorners::take(Face f, const std::array<std::size_t, 3>& vertices, std::size_t alone,
-                      CellShares& out, std::vector<Face>& others) {
-  const std::array<std::size_t, 3> corner{alone, (alone + 1) % 3, (alone + 2) % 3};
-  const Vertex site = lifts_.owner[vertices[corner[0]]], rest = lifts_.owner[vertices[corner[1]]];
-  const auto sites = stars_.sites(site);
-  const auto found = std::find(sites.begin(), sites.end(), rest);
+                      CellShares& out, std::vector<Uncut>& uncut) {
+  const std::size_t next = vertices[(alone + 1) % 3], last = vertices[(alone + 2) % 3];
+  const Vertex site = lifts_.owner[vertices[alone]];
+  const std::size_t across = stars_.find(site, lifts_.owner[next]);
   const FacePieces& pieces = mass_.pieces(f);
   const std::size_t kind = face_kind(mass_.surface().space(), pieces.triangle);
-  if (found == sites.end() || kind == face_kinds.size()) {
-    others.push_back(f);
+  if (across == stars_.sites(site).size() || kind == face_kinds.size()) {
+    uncut.push_back({f, 0});
     return;
   }
-  Faces& to = batches_.faces(kind);
-  const std::size_t n = batches_.next_lane(kind),
-                    across = static_cast<std::size_t>(found - sites.begin());
-  const auto offsets = stars_.offsets(site);
-  to.face[n] = f, to.alone[n] = site, to.rest[n] = rest;
-  set_lane(to.whole, n, pieces, corner);
-  set_lane(to.share, n, pieces.share(alone));
-  set_lane(to.corner, n, lifts_.at[vertices[corner[0]]]);
-  set_lane(to.next, n, lifts_.at[vertices[corner[1]]]);
-  set_lane(to.last, n, lifts_.at[vertices[corner[2]]]);
-  set_lane(to.to_rest, n, stars_.frames(site)[across]);
-  set_lane(to.before, n, offsets[across == 0 ? sites.size() - 1 : across - 1]);
-  set_lane(to.after, n, offsets[across + 1 == sites.size() ? 0 : across + 1]);
-  batches_.cut_if_full(kind, out, others);
+  batches_.faces(kind).set(
+      batches_.next_lane(kind), f, pieces, stars_,
+      {alone, site, across, lifts_.at[vertices[alone]], lifts_.at[next], lifts_.at[last]});
+  batches_.cut_if_full(kind, out, uncut);
 }
 
 }  // namespace ucvt

@@ -16,14 +16,23 @@ class CutCorners {
 
   /// Takes a face whose corner of that number lies in one cell, the others in another's; its corners'
   /// ranks are given. Adds to the cells once there are four of a kind. Faces that turn out to be cut in
-  /// other ways go to `others`.
+  /// other ways go to `uncut`; `third` says which.
   void take(Face f, const std::array<std::size_t, 3>& vertices, std::size_t alone, CellShares& out,
-            std::vector<Face>& others);
+            std::vector<Uncut>& uncut);
 
   /// Adds what was taken and not yet added.
-  void finish(CellShares& out, std::vector<Face>& others) { batches_.finish(out, others); }
+  void finish(CellShares& out, std::vector<Uncut>& uncut) { batches_.finish(out, uncut); }
 
-  /// Faces whose corner 0 alone lies in one cell, by lane.
+  /// A corner cut off from the rest of a face by the bisector of a site and of a neighbour of it.
+  struct Corner {
+    std::size_t number;
+    Vertex alone;
+    std::size_t across;  ///< the neighbour's place in the star of `alone`
+    /// This corner in the frame of `alone`, the next and the last one in the neighbour's.
+    Offset at, next, last;
+  };
+
+  /// Faces whose corner 0 is cut off, by lane.
   struct Faces {
     std::array<Face, 4> face;
     std::array<Vertex, 4> alone, rest;  ///< the two sites
@@ -33,14 +42,22 @@ class CutCorners {
         last;                  ///< corner 0 in the frame of `alone`, the others in that of `rest`
     LaneIsometry to_rest;      ///< from the frame of `rest` to that of `alone`
     LaneOffset before, after;  ///< the neighbours of `alone` round it next to `rest`
+
+    void set(std::size_t n, Face f, const FacePieces& pieces, const Stars& stars,
+             const Corner& cut);
   };
 
   /// What the site `alone` gets, and the other one loses.
   struct Shares {
     Lanes is_valid;  ///< 1 where the face is as it should be, else 0
+    /// Where the cell of the neighbour `after` has one end of the cut 1, where it has both 2; negative
+    /// for the neighbour `before`.
+    Lanes third;
     LaneMoments alone, rest;
     void add_to(CellShares& cells, const Faces& faces, std::size_t n) const;
   };
+
+  static FaceBatches<Faces, Shares> batches(double kappa, std::size_t lanes_a_face);
 
  private:
   const SurfaceMass& mass_;

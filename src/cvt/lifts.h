@@ -14,6 +14,21 @@ struct Lifts {
   std::vector<Vertex> owner;
 };
 
+/// How many cells three vertices lie in, and which of them lies alone in its cell where there are two.
+struct CornerCells {
+  int count;
+  std::size_t alone;
+};
+
+inline CornerCells cells_of(const Lifts& lifts, const std::array<std::size_t, 3>& vertices) {
+  const Vertex a = lifts.owner[vertices[0]], b = lifts.owner[vertices[1]],
+               c = lifts.owner[vertices[2]];
+  if (a != b && b != c && c != a) {
+    return {3, 0};
+  }
+  return {a == b && b == c ? 1 : 2, b == c ? 0U : c == a ? 1U : 2U};
+}
+
 /// Two points of a frame are the ends of an edge when their squared chord is its own within this part.
 constexpr double same_chord2 = 1e-3;
 

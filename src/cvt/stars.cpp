@@ -1,6 +1,5 @@
 #include "cvt/stars.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ucvt {

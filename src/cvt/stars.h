@@ -1,6 +1,7 @@
 // The neighbours of sites, as their cells ask for them.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ class Stars {
   }
   [[nodiscard]] std::span<const Vertex> sites(Vertex site) const {
     return {site_.data() + first_[site.index()], size(site)};
+  }
+  /// The first place of a neighbour in the star of the site; the star's size where it has none.
+  [[nodiscard]] std::size_t find(Vertex site, Vertex neighbour) const {
+    const auto star = sites(site);
+    return static_cast<std::size_t>(std::find(star.begin(), star.end(), neighbour) - star.begin());
   }
   /// From the frames of the neighbours to the site's.
   [[nodiscard]] std::span<const Isometry> frames(Vertex site) const {

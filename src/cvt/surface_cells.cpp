@@ -5,10 +5,9 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include "cvt/cell_corners.h"
 #include "cvt/cell_shares.h"
 #include "cvt/cell_walk.h"
-#include "cvt/cut_corners.h"
+#include "cvt/face_cuts.h"
 #include "cvt/straddling_faces.h"
 #include "space/lane_moments.h"
 #include "ucvt/error.h"
@@ -142,14 +141,13 @@ class SurfaceCells::Sweep {
  public:
   Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places,
         const std::vector<bool>* corner_in)
-      : cut_corners_(mass, cells.stars_, cells.lifts_),
-        cell_corners_(mass, cells.stars_, cells.lifts_),
-        t_(*cells.t_),
+      : t_(*cells.t_),
         order_(t_.vertex_order()),
         stars_(cells.stars_),
         lifts_(cells.lifts_),
         mass_(mass),
         corner_in_(corner_in),
+        cuts_(mass, stars_, lifts_),
         cut_others_(mass, stars_, lifts_, places),
         shares_(places.size()) {}
 
@@ -177,7 +175,7 @@ class SurfaceCells::Sweep {
   }
 
   void add_faces(std::size_t first, std::size_t last) {
-    straddling_.clear(), others_.clear();
+    straddling_.clear();
     for (std::size_t i = first; i < last; ++i) {
       const Face f{static_cast<std::int32_t>(i)};
       const auto v = order_.corners(f);
@@ -186,31 +184,15 @@ class SurfaceCells::Sweep {
         straddling_.push_back(f);
       }
     }
-    for (const Face f : straddling_) {
-      share_out(f, order_.corners(f));
-    }
-    cut_corners_.finish(shares_, others_);
-    cell_corners_.finish(shares_, others_);
-    for (const Face f : others_) {
-      cut_others_.add(f, shares_);
+    cuts_.cut(straddling_, shares_, others_);
+    for (const Uncut& other : others_) {
+      cut_others_.add(other.face, shares_);
     }
   }
 
   [[nodiscard]] bool has_corner_in(const std::array<std::size_t, 3>& v) const {
     return std::any_of(v.begin(), v.end(),
                        [&](std::size_t i) { return (*corner_in_)[lifts_.owner[i].index()]; });
-  }
-
-  /// A face that straddles cells, by the cells of its corners.
-  void share_out(Face f, const std::array<std::size_t, 3>& v) {
-    const Vertex a = lifts_.owner[v[0]], b = lifts_.owner[v[1]], c = lifts_.owner[v[2]];
-    if (a != b && b != c && c != a) {
-      cell_corners_.take(f, v, shares_, others_);
-    } else if (a == b && b == c) {
-      others_.push_back(f);
-    } else {
-      cut_corners_.take(f, v, b == c ? 0 : c == a ? 1 : 2, shares_, others_);
-    }
   }
 
   [[nodiscard]] bool lies_in_one_cell(Face f, const std::array<std::size_t, 3>& v) const {
@@ -229,17 +211,17 @@ class SurfaceCells::Sweep {
     return true;
   }
 
-  CutCorners cut_corners_;
-  CellCorners cell_corners_;
   const UniformSurface& t_;
   const VertexOrder& order_;
   const Stars& stars_;
   const Lifts& lifts_;
   const SurfaceMass& mass_;
   const std::vector<bool>* corner_in_;
+  FaceCuts cuts_;
   StraddlingFaces cut_others_;
   CellShares shares_;
-  std::vector<Face> straddling_, others_;  // of the chunk at hand
+  std::vector<Face> straddling_;  // of the chunk at hand
+  std::vector<Uncut> others_;
 };
 
 std::vector<Moments> SurfaceCells::moments(const SurfaceMass& mass,
