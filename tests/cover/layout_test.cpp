@@ -36,7 +36,7 @@ TEST(Layout, FacesHaveTheirChordsAndTheDomainItsArea) {
       area += twice;
       expected += t.det({static_cast<std::int32_t>(f)});
     }
-    EXPECT_NEAR(area, expected, 1e-6);
+    EXPECT_NEAR(area, expected, 1e-7 * expected);
   }
 }
 
