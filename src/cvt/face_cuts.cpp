@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 namespace ucvt {
+
 void FaceCuts::cut(std::span<const Face> faces, CellShares& out, std::vector<Uncut>& others) {
   others.clear(), uncut_.clear();
   for (const Face f : faces) {
