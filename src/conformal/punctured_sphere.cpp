@@ -106,7 +106,7 @@ std::vector<double> distances(const IntrinsicTriangulation& t, Vertex source) {
 class PuncturedPlane {
  public:
   /// Where Newton's method starts: from the input's metric, or from that inverted at the puncture.
-  enum class Start { Input, Inverted };
+  enum class Start : char { Input, Inverted };
 
   PuncturedPlane(IntrinsicTriangulation& t, std::vector<double>& u, Vertex puncture, Start start)
       : t_(t), u_(u), puncture_(puncture), solver_(Space{0}, t, u, roles()) {

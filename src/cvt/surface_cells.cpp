@@ -141,13 +141,13 @@ class SurfaceCells::Sweep {
  public:
   Sweep(const SurfaceCells& cells, const SurfaceMass& mass, const std::vector<Place>& places,
         const std::vector<bool>* corner_in)
-      : t_(*cells.t_),
+      : cuts_(mass, cells.stars_, cells.lifts_),
+        t_(*cells.t_),
         order_(t_.vertex_order()),
         stars_(cells.stars_),
         lifts_(cells.lifts_),
         mass_(mass),
         corner_in_(corner_in),
-        cuts_(mass, stars_, lifts_),
         cut_others_(mass, stars_, lifts_, places),
         shares_(places.size()) {}
 
@@ -211,13 +211,13 @@ class SurfaceCells::Sweep {
     return true;
   }
 
+  FaceCuts cuts_;
   const UniformSurface& t_;
   const VertexOrder& order_;
   const Stars& stars_;
   const Lifts& lifts_;
   const SurfaceMass& mass_;
   const std::vector<bool>* corner_in_;
-  FaceCuts cuts_;
   StraddlingFaces cut_others_;
   CellShares shares_;
   std::vector<Face> straddling_;  // of the chunk at hand
