@@ -108,6 +108,22 @@ std::vector<double> chords(const IntrinsicTriangulation& t, const std::vector<do
   return out;
 }
 
+/// All that T and the way to it tell; genus, steps, certificate and time are still to come.
+UniformizationReport report_of(const UniformSurface& uniform, const IntrinsicTriangulation& t,
+                               const std::vector<double>& u) {
+  UniformizationReport out;
+  const double kappa = uniform.space().kappa;
+  out.geometry = kappa > 0 ? "spherical" : kappa < 0 ? "hyperbolic" : "euclidean";
+  out.euclidean_flips = t.euclidean_flips;
+  out.ptolemy_flips = t.ptolemy_flips;
+  out.refined_vertices = t.splits;
+  out.vertices = static_cast<std::int64_t>(uniform.connectivity().vertex_count());
+  out.faces = static_cast<std::int64_t>(uniform.connectivity().face_count());
+  const auto [low, high] = std::minmax_element(u.begin(), u.end());
+  out.log_scale_min = *low, out.log_scale_max = *high;
+  return out;
+}
+
 /// Measures what was reached by formulas other than the solver's, and throws when it is not enough.
 void certify(const UniformSurface& t, double input_area, UniformizationReport& report) {
   const Connectivity& c = t.connectivity();
@@ -223,21 +239,11 @@ Uniformized uniformize_surface(const ClosedSurface& surface, const UniformizeOpt
       break;
     }
   }
-  const double area = sum(vertex_area);
   const double kappa = surface.genus == 0 ? 1 : surface.genus == 1 ? 0 : -1;
   UniformSurface uniform({kappa}, t.connectivity, chords(t, solution.u));
-  UniformizationReport report;
-  report.geometry = kappa > 0 ? "spherical" : kappa < 0 ? "hyperbolic" : "euclidean";
-  report.newton_iterations = iterations;
-  report.euclidean_flips = t.euclidean_flips;
-  report.ptolemy_flips = t.ptolemy_flips;
-  report.refined_vertices = t.splits;
-  report.vertices = static_cast<std::int64_t>(uniform.connectivity().vertex_count());
-  report.faces = static_cast<std::int64_t>(uniform.connectivity().face_count());
-  report.genus = surface.genus;
-  const auto [low, high] = std::minmax_element(solution.u.begin(), solution.u.end());
-  report.log_scale_min = *low, report.log_scale_max = *high;
-  certify(uniform, area, report);
+  UniformizationReport report = report_of(uniform, t, solution.u);
+  report.genus = surface.genus, report.newton_iterations = iterations;
+  certify(uniform, sum(vertex_area), report);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {std::move(input),   std::move(t), std::move(solution.u), std::move(vertex_area),
           std::move(uniform), report,       std::move(input_face), {}};
